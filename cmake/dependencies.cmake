@@ -1,0 +1,29 @@
+# Debian's liblcm-dev has no CMake package, and its lcm.pc wants libglib2.0-dev.
+find_path(LCM_INCLUDE_DIR lcm/lcm-cpp.hpp REQUIRED)
+find_library(LCM_LIBRARY lcm REQUIRED)
+find_program(LCM_GEN lcm-gen REQUIRED)
+add_library(lcm::lcm UNKNOWN IMPORTED)
+set_target_properties(lcm::lcm PROPERTIES IMPORTED_LOCATION ${LCM_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${LCM_INCLUDE_DIR})
+
+# Nor have libxxhash-dev and liblodepng-dev.
+foreach(name xxhash lodepng)
+  find_path(${name}_INCLUDE_DIR ${name}.h REQUIRED)
+  find_library(${name}_LIBRARY ${name} REQUIRED)
+  add_library(${name}::${name} UNKNOWN IMPORTED)
+  set_target_properties(${name}::${name} PROPERTIES
+    IMPORTED_LOCATION ${${name}_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${${name}_INCLUDE_DIR})
+endforeach()
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(mujoco 2.2 REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(fcl REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
