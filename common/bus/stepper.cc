@@ -72,6 +72,13 @@ bool Stepper::Wants(const std::string& channel) const {
   return any_handler_ || subscriptions_.contains(channel);
 }
 
+std::string Stepper::WantedPattern() const {
+  if (any_handler_) return ".*";
+  std::string pattern = kTickChannel;
+  for (const auto& entry : subscriptions_) pattern += "|" + entry.first;
+  return pattern;
+}
+
 Stepper::State Stepper::Accept(int32_t tick, std::vector<Message> inputs) {
   inputs_.insert(inputs_.end(), std::make_move_iterator(inputs.begin()),
                  std::make_move_iterator(inputs.end()));

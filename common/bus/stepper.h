@@ -41,6 +41,8 @@ class Stepper final : public Bus {
 
   /// True if messages on `channel` are among the service's inputs.
   bool Wants(const std::string& channel) const;
+  /// A regular expression that matches the channels it wants, and TICK.
+  std::string WantedPattern() const;
 
   /// Takes the inputs of `tick` (only channels it wants; any order).
   enum class State {
@@ -63,6 +65,8 @@ class Stepper final : public Bus {
     return num_rejected_;
   }
   const Params& params() const { return params_; }
+  /// Before the first Accept(): the id that the clock gave this life.
+  void set_sender(int32_t sender) { params_.sender = sender; }
 
  private:
   struct Subscription {

@@ -1,0 +1,153 @@
+#include "common/bus/clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "cell/types_digest.h"
+#include "common/bus/manifest.h"
+
+namespace cell {
+
+Clock::Clock(Roster roster, int64_t run)
+    : roster_(std::move(roster)), run_(run), seats_(roster_.entries.size()) {}
+
+std::optional<std::string> Clock::Hello(const hello_t& hello) {
+  const auto index = roster_.IndexOf(hello.name);
+  if (!index) {
+    return fmt::format("'{}' is not in the roster (roster.yaml)", hello.name);
+  }
+  if (*index == 0) {
+    return fmt::format(
+        "'{}' is the clock, and it is running; another cell on this port?",
+        hello.name);
+  }
+  if (hello.types_digest != kTypesDigest) {
+    return fmt::format(
+        "'{}' was built with other message types ({:x}, the clock has {:x}); "
+        "build all services from one tree",
+        hello.name, hello.types_digest, kTypesDigest);
+  }
+  Seat& seat = seats_[*index];
+  if (seat.life >= 0 && seat.nonce == hello.nonce) return std::nullopt;
+  seat.successor = hello.nonce;
+  seat.is_dead = seat.life >= 0;
+  return std::nullopt;
+}
+
+bool Clock::Ack(const ack_t& ack) {
+  const auto index = static_cast<size_t>(ack.header.sender % 1000);
+  if (ack.run != run_ || ack.header.sender < 0 || index == 0 ||
+      index >= seats_.size() || !IsSound(ack.flows)) {
+    return false;
+  }
+  Seat& seat = seats_[index];
+  const bool is_new = ack.nonce == seat.nonce && seat.life >= 0 &&
+                      !seat.is_dead && ack.header.tick > seat.acted &&
+                      ack.header.tick <= tick_;
+  if (!is_new) return false;
+  const int32_t latency = roster_.entries[index].latency;
+  if (ack.is_busy) {
+    if (ack.until != ack.header.tick + latency - 1) return false;
+    seat.answered = ack.until - 1;
+    return true;
+  }
+  seat.answered = seat.acted = ack.header.tick;
+  if (ack.num_flows > 0) seat.flows[ack.header.tick] = ack.flows;
+  return true;
+}
+
+std::vector<std::string> Clock::MissingFromRoster() const {
+  std::vector<std::string> names;
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    if (seats_[i].life < 0 && !seats_[i].successor && tick_ < 0) {
+      names.push_back(roster_.entries[i].name);
+    }
+  }
+  return names;
+}
+
+bool Clock::IsAwaited(const Seat& seat) const {
+  return seat.life >= 0 && !seat.is_dead && seat.answered < tick_;
+}
+
+std::vector<std::string> Clock::Awaited() const {
+  std::vector<std::string> names;
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    if (IsAwaited(seats_[i])) names.push_back(roster_.entries[i].name);
+  }
+  return names;
+}
+
+std::vector<flow_t> Clock::CurrentFlows() const {
+  std::vector<flow_t> flows;
+  for (const Seat& seat : seats_) {
+    const auto it = seat.flows.find(tick_);
+    if (it == seat.flows.end()) continue;
+    flows.insert(flows.end(), it->second.begin(), it->second.end());
+  }
+  return flows;
+}
+
+std::vector<joined_t> Clock::JoinWaiting() {
+  std::vector<joined_t> joined;
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    Seat& seat = seats_[i];
+    if (!seat.successor) continue;
+    joined_t& entry = joined.emplace_back();
+    entry.name = roster_.entries[i].name;
+    entry.nonce = *seat.successor;
+    entry.death_tick = seat.life >= 0 ? seat.acted + 1 : -1;
+    const int32_t life = seat.life + 1;
+    seat = Seat{};
+    seat.life = life;
+    seat.nonce = entry.nonce;
+    seat.answered = seat.acted = tick_ - 1;
+    entry.sender = SenderOf(i, life);
+  }
+  return joined;
+}
+
+const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
+  if (!MissingFromRoster().empty() || !Awaited().empty()) {
+    throw std::logic_error(fmt::format("TICK {} before all have answered {}",
+                                       tick_ + 1, tick_));
+  }
+  tick_t tick{};
+  tick.flows = CurrentFlows();
+  const std::vector<flow_t> own_flows = FlowsOf(own);
+  tick.flows.insert(tick.flows.end(), own_flows.begin(), own_flows.end());
+  std::sort(tick.flows.begin(), tick.flows.end(),
+            [](const auto& a, const auto& b) {
+              return std::tie(a.channel, a.sender) <
+                     std::tie(b.channel, b.sender);
+            });
+  for (Seat& seat : seats_) seat.flows.erase(tick_);
+  ++tick_;
+  tick.header.utime = int64_t{tick_} * kTickUs;
+  tick.header.tick = tick_;
+  tick.header.seq = tick_;
+  tick.run = run_;
+  tick.previous_digest = previous_digest_;
+  tick.is_last = is_last ? 1 : 0;
+  tick.num_flows = static_cast<int32_t>(tick.flows.size());
+  tick.joined = JoinWaiting();
+  tick.num_joined = static_cast<int32_t>(tick.joined.size());
+  previous_digest_ = TickMessage(tick).digest;
+
+  int32_t oldest = tick_;
+  for (const Seat& seat : seats_) {
+    if (seat.life >= 0) oldest = std::min(oldest, seat.acted + 1);
+  }
+  std::erase_if(recent_, [oldest](const tick_t& old) {
+    return old.header.tick < oldest;
+  });
+  return recent_.emplace_back(std::move(tick));
+}
+
+std::vector<tick_t> Clock::TicksToRepeat() const { return recent_; }
+
+}  // namespace cell

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/ack_t.hpp"
+#include "cell/hello_t.hpp"
+#include "cell/tick_t.hpp"
+#include "common/bus/message.h"
+#include "common/bus/roster.h"
+
+namespace cell {
+
+/// The lockstep protocol as the clock sees it, pure: who has joined, who has
+/// answered, what goes into the next TICK. Death is never inferred from
+/// silence: only a HELLO of the same name with another nonce proves it.
+class Clock {
+ public:
+  /// `run` tells this start of the clock from others on the same port.
+  Clock(Roster roster, int64_t run);
+
+  /// Why the service cannot join, or nothing: it will with the next TICK.
+  std::optional<std::string> Hello(const hello_t& hello);
+
+  /// The service at this index of the roster is known to be dead: nobody waits
+  /// for it until its successor joins.
+  void Mourn(size_t index) { seats_[index].is_dead = true; }
+
+  /// False if the ACK is of another run, life or tick and was ignored.
+  bool Ack(const ack_t& ack);
+
+  /// The services that still have to say HELLO before tick 0.
+  std::vector<std::string> MissingFromRoster() const;
+
+  /// The services whose ACK of the current tick is awaited; the next TICK may
+  /// go out when there are none.
+  std::vector<std::string> Awaited() const;
+
+  /// What the services published in the current tick.
+  std::vector<flow_t> CurrentFlows() const;
+
+  /// Makes the next TICK; `own` are the clock's messages, stamped with it.
+  /// @pre MissingFromRoster() and Awaited() are empty.
+  const tick_t& Advance(const std::vector<Message>& own, bool is_last);
+
+  /// TICKs that a silent service may have missed, oldest first.
+  std::vector<tick_t> TicksToRepeat() const;
+
+  /// Of the last TICK; -1 before the first.
+  int32_t tick() const { return tick_; }
+  int64_t run() const { return run_; }
+
+ private:
+  struct Seat {
+    int32_t life = -1;  // of the service that has joined; -1: none yet
+    int64_t nonce = 0;
+    bool is_dead = false;       // its successor has said HELLO
+    int32_t answered = -1;      // last tick the ACKs cover
+    int32_t acted = -1;         // last tick whose outputs are complete
+    std::optional<int64_t> successor;  // nonce of a HELLO yet to be joined
+    std::map<int32_t, std::vector<flow_t>> flows;  // by tick
+  };
+
+  bool IsAwaited(const Seat& seat) const;
+  std::vector<joined_t> JoinWaiting();
+
+  Roster roster_;
+  int64_t run_;
+  int32_t tick_ = -1;
+  int64_t previous_digest_ = 0;
+  std::vector<Seat> seats_;  // by roster index; the clock's own is unused
+  std::vector<tick_t> recent_;
+};
+
+}  // namespace cell

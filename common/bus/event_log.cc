@@ -1,0 +1,156 @@
+#include "common/bus/event_log.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace cell {
+namespace {
+
+constexpr uint32_t kSync = 0xEDA1DA01;
+constexpr std::array<uint8_t, 4> kSyncBytes = {0xED, 0xA1, 0xDA, 0x01};
+constexpr size_t kHeaderSize = 28;
+constexpr uint32_t kMaxChannel = 64;         // LCM's own limit is 63
+constexpr uint32_t kMaxData = 256u << 20;
+
+std::string Error(const std::filesystem::path& path, const char* what) {
+  return path.string() + ": " + what + ": " + std::strerror(errno);
+}
+
+void Append(uint64_t value, size_t size, Bytes* bytes) {
+  for (size_t i = size; i-- > 0;) {
+    bytes->push_back(static_cast<uint8_t>(value >> (8 * i)));
+  }
+}
+
+uint64_t Read(const Bytes& bytes, size_t position, size_t size) {
+  uint64_t value = 0;
+  for (size_t i = 0; i < size; ++i) value = value << 8 | bytes[position + i];
+  return value;
+}
+
+}  // namespace
+
+EventLogWriter::EventLogWriter(const std::filesystem::path& path)
+    : path_(path), file_(std::fopen(path.c_str(), "wb")) {
+  if (!file_) throw std::runtime_error(Error(path, "cannot be created"));
+}
+
+void EventLogWriter::Write(int64_t utime, const std::string& channel,
+                           const Bytes& bytes) {
+  Bytes header;
+  header.reserve(kHeaderSize + channel.size());
+  Append(kSync, 4, &header);
+  Append(std::bit_cast<uint64_t>(next_number_++), 8, &header);
+  Append(std::bit_cast<uint64_t>(utime), 8, &header);
+  Append(channel.size(), 4, &header);
+  Append(bytes.size(), 4, &header);
+  header.insert(header.end(), channel.begin(), channel.end());
+  const bool is_written =
+      std::fwrite(header.data(), 1, header.size(), file_.get()) ==
+          header.size() &&
+      std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
+  if (!is_written) throw std::runtime_error(Error(path_, "cannot be written"));
+}
+
+void EventLogWriter::Flush() {
+  if (std::fflush(file_.get()) != 0) {
+    throw std::runtime_error(Error(path_, "cannot be written"));
+  }
+}
+
+EventLogReader::EventLogReader(const std::filesystem::path& path)
+    : file_(std::fopen(path.c_str(), "rb")) {
+  if (!file_) throw std::runtime_error(Error(path, "cannot be opened"));
+}
+
+bool EventLogReader::HasSyncAt(size_t position) const {
+  const size_t num = std::min(buffer_.size() - position, kSyncBytes.size());
+  return std::equal(kSyncBytes.begin(),
+                    kSyncBytes.begin() + static_cast<std::ptrdiff_t>(num),
+                    buffer_.begin() + static_cast<std::ptrdiff_t>(position));
+}
+
+// An event counts as whole only if another one, or the end, follows it: a
+// forged length would else swallow its neighbours.
+EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
+                                              size_t* size) const {
+  const size_t left = buffer_.size() - position;
+  if (!HasSyncAt(position)) return Parse::kDamaged;
+  if (left < kHeaderSize) return Parse::kMoreNeeded;
+  const uint64_t channel_size = Read(buffer_, position + 20, 4);
+  const uint64_t data_size = Read(buffer_, position + 24, 4);
+  if (channel_size == 0 || channel_size > kMaxChannel || data_size > kMaxData) {
+    return Parse::kDamaged;
+  }
+  *size = kHeaderSize + channel_size + data_size;
+  if (left < *size) return Parse::kMoreNeeded;
+  if (!HasSyncAt(position + *size)) return Parse::kDamaged;
+  event->number = std::bit_cast<int64_t>(Read(buffer_, position + 4, 8));
+  event->utime = std::bit_cast<int64_t>(Read(buffer_, position + 12, 8));
+  const auto data = buffer_.begin() +
+                    static_cast<std::ptrdiff_t>(position + kHeaderSize);
+  const auto split = data + static_cast<std::ptrdiff_t>(channel_size);
+  event->channel.assign(data, split);
+  event->bytes.assign(split, split + static_cast<std::ptrdiff_t>(data_size));
+  return Parse::kEvent;
+}
+
+bool EventLogReader::ReadMore() {
+  buffer_.erase(buffer_.begin(),
+                buffer_.begin() + static_cast<std::ptrdiff_t>(position_));
+  offset_ += static_cast<int64_t>(position_);
+  position_ = 0;
+  constexpr size_t kChunk = 1u << 20;
+  const size_t old_size = buffer_.size();
+  buffer_.resize(old_size + kChunk);
+  std::clearerr(file_.get());
+  const size_t got =
+      std::fread(buffer_.data() + old_size, 1, kChunk, file_.get());
+  buffer_.resize(old_size + got);
+  return got > 0;
+}
+
+std::optional<LogEvent> EventLogReader::Next() {
+  while (true) {
+    LogEvent event;
+    size_t size = 0;
+    const Parse parse = position_ < buffer_.size()
+                            ? ParseAt(position_, &event, &size)
+                            : Parse::kMoreNeeded;
+    if (parse == Parse::kEvent) {
+      position_ += size;
+      return event;
+    }
+    if (parse == Parse::kMoreNeeded) {
+      if (ReadMore()) continue;
+      if (!is_finished_ || position_ == buffer_.size()) return std::nullopt;
+    }
+    SkipToNextSync();
+  }
+}
+
+void EventLogReader::SkipToNextSync() {
+  const auto from = buffer_.begin() + static_cast<std::ptrdiff_t>(position_);
+  const auto next = std::search(from + 1, buffer_.end(), kSyncBytes.begin(),
+                                kSyncBytes.end());
+  size_t position = static_cast<size_t>(next - buffer_.begin());
+  if (next == buffer_.end() && !is_finished_) {
+    // A sync word may straddle the end of what has been read.
+    position = std::max(position_ + 1, buffer_.size() - 3);
+  }
+  const int64_t begin = offset_ + static_cast<int64_t>(position_);
+  const auto length = static_cast<int64_t>(position - position_);
+  if (!damages_.empty() &&
+      damages_.back().offset + damages_.back().length == begin) {
+    damages_.back().length += length;
+  } else {
+    damages_.push_back({begin, length});
+  }
+  position_ = position;
+}
+
+}  // namespace cell

@@ -1,0 +1,124 @@
+#include "common/bus/lcm_node.h"
+
+#include <chrono>
+#include <random>
+#include <utility>
+
+#include "cell/health_t.hpp"
+#include "common/bus/bus_error.h"
+#include "common/bus/lockstep_node.h"
+#include "common/bus/process_usage.h"
+
+namespace cell {
+namespace {
+
+using std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto kHelloPeriod = 50ms;
+constexpr auto kHealthPeriod = 1s;
+constexpr auto kLossTimeout = 2s;
+
+int64_t RandomNonce() {
+  std::random_device device;
+  return static_cast<int64_t>((uint64_t{device()} << 31) ^ device()) | 1;
+}
+
+// One service process in lockstep: LCM in, LCM out, and a look at the clock on
+// the wall for HELLO, HEALTH and losses only.
+class LcmNode {
+ public:
+  LcmNode(const LcmAddress& address, const Roster& roster,
+          const std::string& name, const ServiceFactory& factory)
+      : name_(name),
+        main_(address.MainUrl()),
+        control_(address.ControlUrl()),
+        node_(roster, name, RandomNonce(), factory,
+              {.send_data =
+                   [this](const Message& message) {
+                     main_.Publish(message.channel, *message.bytes);
+                   },
+               .send_ack =
+                   [this](const ack_t& ack) {
+                     control_.Publish(kAckChannel, Bus::Encode(ack));
+                   }}) {
+    main_.Subscribe(node_.WantedPattern(),
+                    [this](const std::string& channel, Bytes bytes) {
+                      OnMessage(channel, std::move(bytes));
+                    });
+  }
+
+  void Run(const std::atomic<bool>& stop) {
+    while (!stop && !node_.is_done()) {
+      const auto now = steady_clock::now();
+      if (!node_.has_joined()) SayHello(now);
+      SayHealth(now);
+      WaitForAny({&main_}, 20);
+      main_.Drain();
+      bool has_advanced = false;
+      while (node_.Advance()) has_advanced = true;
+      if (has_advanced) last_advance_ = steady_clock::now();
+      CheckLoss();
+    }
+  }
+
+ private:
+  void OnMessage(const std::string& channel, Bytes bytes) {
+    if (channel == kTickChannel) {
+      tick_t tick{};
+      const int size = static_cast<int>(bytes.size());
+      if (tick.decode(bytes.data(), 0, size) == size) node_.PutTick(tick);
+    } else if (node_.has_joined() && node_.Wants(channel)) {
+      auto message = MessageFromWire(channel, std::move(bytes));
+      if (message) node_.PutData(*message);
+    }
+  }
+
+  void SayHello(steady_clock::time_point now) {
+    if (now - last_hello_ < kHelloPeriod) return;
+    last_hello_ = now;
+    control_.Publish(kHelloChannel, Bus::Encode(node_.Hello()));
+  }
+
+  void SayHealth(steady_clock::time_point now) {
+    if (now - last_health_ < kHealthPeriod) return;
+    last_health_ = now;
+    const ProcessUsage usage = UsageOfThisProcess();
+    health_t health{};
+    health.header.tick = node_.tick();
+    health.header.sender = node_.sender();
+    health.service = name_;
+    health.cpu_us = usage.cpu_us;
+    health.resident_bytes = usage.resident_bytes;
+    health.num_repeats = node_.num_repeats();
+    health.num_strangers = node_.num_strangers();
+    control_.Publish(kHealthChannel, Bus::Encode(health));
+  }
+
+  void CheckLoss() {
+    const auto missing = node_.MissingData();
+    if (!missing) {
+      last_advance_ = steady_clock::now();
+    } else if (steady_clock::now() - last_advance_ > kLossTimeout) {
+      throw BusError(*missing);
+    }
+  }
+
+  std::string name_;
+  LcmPort main_;
+  LcmPort control_;
+  LockstepNode node_;
+  steady_clock::time_point last_hello_{};
+  steady_clock::time_point last_health_{};
+  steady_clock::time_point last_advance_ = steady_clock::now();
+};
+
+}  // namespace
+
+void RunLcmNode(const LcmAddress& address, const Roster& roster,
+                const std::string& name, const ServiceFactory& factory,
+                const std::atomic<bool>& stop) {
+  LcmNode(address, roster, name, factory).Run(stop);
+}
+
+}  // namespace cell

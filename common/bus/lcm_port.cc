@@ -1,0 +1,105 @@
+#include "common/bus/lcm_port.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <exception>
+#include <regex>
+#include <stdexcept>
+#include <utility>
+
+#include "common/bus/bus_error.h"
+
+namespace cell {
+
+LcmAddress LcmAddress::Parse(const std::string& url) {
+  static const std::regex kForm(
+      R"(udpm://([0-9.]+):([0-9]{1,5})(\?ttl=([0-9]{1,3}))?)");
+  std::smatch match;
+  LcmAddress address;
+  if (!std::regex_match(url, match, kForm)) {
+    throw std::invalid_argument("'" + url +
+                                "' is not of the form "
+                                "udpm://239.255.76.67:7667[?ttl=0]");
+  }
+  address.group = match[1];
+  address.port = std::stoi(match[2]);
+  if (match[4].matched) address.ttl = std::stoi(match[4]);
+  if (address.port < 1024 || address.port > 65534) {
+    throw std::invalid_argument("'" + url +
+                                "': the port and the next one must lie in "
+                                "[1024, 65535]");
+  }
+  return address;
+}
+
+std::string LcmAddress::Url(int of_port) const {
+  // The default receive buffer loses every message of 300 KB.
+  return fmt::format("udpm://{}:{}?ttl={}&recv_buf_size=4194304", group,
+                     of_port, ttl);
+}
+
+LcmPort::LcmPort(const std::string& url) : lcm_(url) {
+  if (!lcm_.good()) {
+    throw BusError(
+        "cannot open LCM at " + url +
+        ". Usually a multicast route is missing: ip link set lo up && "
+        "ip route add 224.0.0.0/4 dev lo");
+  }
+}
+
+void LcmPort::Subscribe(const std::string& pattern, Handler handler) {
+  subscriptions_.push_back({std::move(handler), nullptr});
+  lcm::Subscription* subscription = lcm_.subscribeFunction(
+      pattern, &LcmPort::OnMessage, &subscriptions_.back());
+  if (subscription == nullptr) {
+    throw BusError("cannot subscribe to " + pattern +
+                   ": no receiving socket; is the multicast route there? "
+                   "(ip route add 224.0.0.0/4 dev lo)");
+  }
+  subscription->setQueueCapacity(0);
+}
+
+void LcmPort::Publish(const std::string& channel, const Bytes& bytes) {
+  if (lcm_.publish(channel, bytes.data(),
+                   static_cast<unsigned>(bytes.size())) != 0) {
+    throw BusError("LCM cannot publish on " + channel +
+                   "; is the multicast route there? (ip route add "
+                   "224.0.0.0/4 dev lo)");
+  }
+}
+
+void LcmPort::Drain() {
+  // A signal interrupts the wait inside liblcm: then there is just no more.
+  while (lcm_.handleTimeout(0) > 0) {
+    for (Subscription& subscription : subscriptions_) {
+      if (subscription.failure) {
+        std::rethrow_exception(std::exchange(subscription.failure, nullptr));
+      }
+    }
+  }
+}
+
+void LcmPort::OnMessage(const lcm::ReceiveBuffer* buffer,
+                        const std::string& channel,
+                        Subscription* subscription) {
+  // A channel name without its NUL arrives with a size of 2^32 - 1.
+  constexpr uint32_t kMaxSize = 256u << 20;
+  if (buffer->data_size > kMaxSize) return;
+  const auto* data = static_cast<const uint8_t*>(buffer->data);
+  try {
+    subscription->handler(channel, Bytes(data, data + buffer->data_size));
+  } catch (const std::exception&) {
+    subscription->failure = std::current_exception();
+  }
+}
+
+void WaitForAny(const std::vector<LcmPort*>& ports, int timeout_ms) {
+  std::vector<pollfd> descriptors;
+  for (LcmPort* port : ports) {
+    descriptors.push_back({port->FileDescriptor(), POLLIN, 0});
+  }
+  poll(descriptors.data(), descriptors.size(), timeout_ms);
+}
+
+}  // namespace cell

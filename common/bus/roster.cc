@@ -1,0 +1,37 @@
+#include "common/bus/roster.h"
+
+#include <stdexcept>
+
+namespace cell {
+
+Roster Roster::FromConfig(const Config& config) {
+  Roster roster;
+  for (const Config& item : config["services"].Items()) {
+    Entry entry{item.Get<std::string>("name"), item.Integer("latency", 1, 1000),
+                item.GetOr<std::string>("truth_role", "")};
+    if (roster.IndexOf(entry.name)) {
+      item.Fail("'" + entry.name + "' is listed twice");
+    }
+    roster.entries.push_back(std::move(entry));
+  }
+  if (roster.entries.empty()) config["services"].Fail("names no service");
+  config.Finish();
+  return roster;
+}
+
+std::optional<size_t> Roster::IndexOf(const std::string& name) const {
+  for (size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+size_t Roster::RequireIndexOf(const std::string& name) const {
+  const auto index = IndexOf(name);
+  if (!index) {
+    throw std::invalid_argument("'" + name + "' is not in the roster");
+  }
+  return *index;
+}
+
+}  // namespace cell

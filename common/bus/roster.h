@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/bus/bus.h"
+#include "common/config/config.h"
+
+namespace cell {
+
+/// Who takes part in a cell: deploy/config/roster.yaml. The first one is the
+/// clock. The index in the roster is the base of a service's sender ids.
+struct Roster {
+  struct Entry {
+    std::string name;
+    int32_t latency = 1;     ///< ticks that one activation takes, >= 1
+    std::string truth_role;  ///< as in truth_access.h; empty: the name
+  };
+  std::vector<Entry> entries;
+
+  /// @throws ConfigError, also for twin names and an empty roster.
+  static Roster FromConfig(const Config& config);
+
+  std::optional<size_t> IndexOf(const std::string& name) const;
+  /// @throws std::invalid_argument naming the service if it is not there.
+  size_t RequireIndexOf(const std::string& name) const;
+};
+
+/// A life's sender id.
+constexpr int32_t SenderOf(size_t index, int32_t life) {
+  return static_cast<int32_t>(index) + 1000 * life;
+}
+
+}  // namespace cell

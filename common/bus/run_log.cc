@@ -1,0 +1,116 @@
+#include "common/bus/run_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "common/bus/bus.h"
+#include "common/bus/event_log.h"
+#include "common/bus/manifest.h"
+
+namespace cell {
+
+std::vector<std::filesystem::path> LogsOf(
+    const std::filesystem::path& run_dir) {
+  std::vector<std::filesystem::path> logs;
+  if (std::filesystem::is_directory(run_dir)) {
+    for (const auto& entry : std::filesystem::directory_iterator(run_dir)) {
+      if (entry.path().extension() == ".lcmlog") logs.push_back(entry.path());
+    }
+  }
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
+RunLog RunLog::Load(const std::filesystem::path& run_dir) {
+  const auto logs = LogsOf(run_dir);
+  if (logs.empty()) {
+    throw std::runtime_error(run_dir.string() +
+                             ": no *.lcmlog in it; is it a run folder?");
+  }
+  return Load(logs);
+}
+
+RunLog RunLog::Load(const std::vector<std::filesystem::path>& logs) {
+  RunLog run;
+  for (const auto& log : logs) run.Read(log);
+  std::erase_if(run.ticks_, [&](const auto& entry) {
+    const bool has_manifest = entry.second.has_manifest;
+    if (!has_manifest) {
+      run.problems_.push_back(
+          fmt::format("tick {}: its TICK is missing", entry.first));
+    }
+    return !has_manifest;
+  });
+  if (run.ticks_.empty()) {
+    throw std::runtime_error(logs.front().string() + ": holds no TICK");
+  }
+  run.Check();
+  return run;
+}
+
+void RunLog::Read(const std::filesystem::path& log) {
+  EventLogReader reader(log);
+  reader.Finish();
+  while (auto event = reader.Next()) {
+    auto message = MessageFromWire(event->channel, std::move(event->bytes));
+    if (!message) continue;  // another program's, e.g. LCM_SELF_TEST
+    Tick& tick = ticks_[message->tick];
+    if (message->channel != kTickChannel) {
+      tick.messages.push_back(*message);
+      continue;
+    }
+    tick_t manifest{};
+    const int size = static_cast<int>(message->bytes->size());
+    if (manifest.decode(message->bytes->data(), 0, size) == size &&
+        IsSound(manifest.flows)) {
+      tick.manifest = std::move(manifest);
+      tick.has_manifest = true;
+    }
+  }
+  for (const auto& damage : reader.damages()) {
+    problems_.push_back(fmt::format("{}: {} bytes from byte {} on are damaged",
+                                    log.string(), damage.length,
+                                    damage.offset));
+  }
+}
+
+void RunLog::Check() {
+  const Tick* previous = nullptr;
+  for (auto& [k, tick] : ticks_) {
+    std::stable_sort(tick.messages.begin(), tick.messages.end(),
+                     OrderedBefore);
+    const bool has_previous =
+        previous != nullptr && previous->manifest.header.tick == k - 1;
+    if (previous != nullptr && !has_previous) {
+      problems_.push_back(fmt::format("ticks {} to {} are missing",
+                                      previous->manifest.header.tick + 1,
+                                      k - 1));
+    }
+    if (has_previous && TickMessage(previous->manifest).digest !=
+                            tick.manifest.previous_digest) {
+      problems_.push_back(fmt::format(
+          "tick {}: TICK is not the one that TICK {} refers to", k - 1, k));
+    }
+    // Flows name the services' messages of the tick before, and the clock's.
+    for (const MessageId& id : MessagesIn(tick.manifest.flows)) {
+      const Tick* of = id.sender == 0 ? &tick : has_previous ? previous : nullptr;
+      if (of == nullptr) continue;
+      const auto match = std::find_if(
+          of->messages.begin(), of->messages.end(), [&](const Message& m) {
+            return m.channel == id.channel && m.sender == id.sender &&
+                   m.seq == id.seq && m.digest == id.digest;
+          });
+      if (match == of->messages.end()) {
+        problems_.push_back(fmt::format("tick {}: {} is missing or damaged",
+                                        of->manifest.header.tick,
+                                        ToString(id)));
+      }
+    }
+    previous = &tick;
+  }
+}
+
+}  // namespace cell

@@ -1,0 +1,168 @@
+#include "common/bus/sim_bus.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "cell/types_digest.h"
+#include "common/bus/manifest.h"
+
+namespace cell {
+namespace {
+
+const ServiceFactory& FactoryOf(
+    const std::map<std::string, ServiceFactory>& factories,
+    const std::string& name) {
+  const auto it = factories.find(name);
+  if (it == factories.end()) {
+    throw std::invalid_argument("no factory for the roster's service '" + name +
+                                "'");
+  }
+  return it->second;
+}
+
+// The one run of a SimBus and its lives need no names that differ by chance.
+constexpr int64_t kRun = 1;
+int64_t NonceOf(size_t index, int32_t life) {
+  return SenderOf(index, life) + 1;
+}
+
+}  // namespace
+
+SimBus::SimBus(const Roster& roster,
+               std::map<std::string, ServiceFactory> factories,
+               std::vector<Outage> outages,
+               std::vector<TimedCommand> commands)
+    : roster_(roster),
+      factories_(std::move(factories)),
+      outages_(std::move(outages)),
+      commands_(std::move(commands)),
+      host_(roster_, FactoryOf(factories_, roster_.entries[0].name)),
+      clock_(roster_, kRun),
+      seats_(roster_.entries.size()) {
+  for (const Outage& outage : outages_) {
+    if (roster_.IndexOf(outage.service).value_or(0) == 0 ||
+        outage.join_tick < outage.death_tick || outage.death_tick < 1) {
+      throw std::invalid_argument("impossible outage of '" + outage.service +
+                                  "' at tick " +
+                                  std::to_string(outage.death_tick));
+    }
+  }
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    NewLife(i, 0);
+  }
+}
+
+bool SimBus::Step() {
+  if (last_tick_.is_last) return false;
+  const int32_t tick = clock_.tick() + 1;
+  BeginOutagesAndLives(tick);
+
+  std::vector<Message> inputs;
+  for (const Message& message : published_) {
+    if (host_.Wants(message.channel)) inputs.push_back(message);
+  }
+  std::vector<Message> messages =
+      host_.Tick(tick, std::move(inputs), CommandsOf(tick));
+  last_tick_ = clock_.Advance(messages, host_.IsLast(tick));
+  messages.insert(messages.end(),
+                  std::make_move_iterator(published_.begin()),
+                  std::make_move_iterator(published_.end()));
+  published_.clear();
+  for (size_t i = 1; i < seats_.size(); ++i) Handle(i, last_tick_, messages);
+  return true;
+}
+
+void SimBus::BeginOutagesAndLives(int32_t tick) {
+  for (const Outage& outage : outages_) {
+    const size_t index = *roster_.IndexOf(outage.service);
+    // Outputs of an activation that death cut short are void.
+    if (tick == outage.death_tick) {
+      seats_[index].is_silent = true;
+      seats_[index].pending.clear();
+      clock_.Mourn(index);
+    }
+    if (tick == outage.join_tick) NewLife(index, tick);
+  }
+}
+
+void SimBus::NewLife(size_t index, int32_t tick) {
+  Seat& seat = seats_[index];
+  const Roster::Entry& entry = roster_.entries[index];
+  const int32_t life = seat.life + 1;
+  seat = Seat{};
+  seat.life = life;
+  seat.join_tick = tick;
+  seat.stepper = std::make_unique<Stepper>(Stepper::Params{
+      .name = entry.name,
+      .truth_role = entry.truth_role,
+      .sender = SenderOf(index, life),
+      .latency = entry.latency,
+      .status_phase =
+          static_cast<int32_t>(index) % Stepper::kStatusPeriod});
+  seat.service = FactoryOf(factories_, entry.name)(*seat.stepper);
+  hello_t hello{};
+  hello.name = entry.name;
+  hello.nonce = NonceOf(index, life);
+  hello.types_digest = kTypesDigest;
+  clock_.Hello(hello);
+}
+
+void SimBus::Handle(size_t index, const tick_t& tick,
+                    const std::vector<Message>& messages) {
+  Seat& seat = seats_[index];
+  if (seat.is_silent) return;
+  std::vector<Message> inputs;
+  if (tick.header.tick != seat.join_tick) {
+    for (const Message& message : messages) {
+      if (seat.stepper->Wants(message.channel)) inputs.push_back(message);
+    }
+  }
+  if (seat.stepper->Wants(kTickChannel)) inputs.push_back(TickMessage(tick));
+
+  const int32_t k = tick.header.tick;
+  switch (seat.stepper->Accept(k, std::move(inputs))) {
+    case Stepper::State::kWaiting:
+      break;
+    case Stepper::State::kIdle:
+      clock_.Ack(NewAck(index, k));
+      return;
+    case Stepper::State::kReady:
+      seat.pending = seat.stepper->Run();
+      seat.until = seat.stepper->until();
+      if (k < seat.until) {
+        ack_t busy = NewAck(index, k);
+        busy.is_busy = 1;
+        busy.until = seat.until;
+        clock_.Ack(busy);
+      }
+  }
+  if (k < seat.until) return;
+  ack_t done = NewAck(index, k);
+  done.flows = FlowsOf(seat.pending);
+  done.num_flows = static_cast<int32_t>(done.flows.size());
+  clock_.Ack(done);
+  published_.insert(published_.end(),
+                    std::make_move_iterator(seat.pending.begin()),
+                    std::make_move_iterator(seat.pending.end()));
+  seat.pending.clear();
+}
+
+ack_t SimBus::NewAck(size_t index, int32_t tick) const {
+  ack_t ack{};
+  ack.header.tick = ack.until = tick;
+  ack.header.sender = SenderOf(index, seats_[index].life);
+  ack.run = kRun;
+  ack.nonce = NonceOf(index, seats_[index].life);
+  return ack;
+}
+
+std::vector<Command> SimBus::CommandsOf(int32_t tick) {
+  std::vector<Command> due;
+  for (const TimedCommand& timed : commands_) {
+    if (timed.tick == tick) due.push_back(timed.command);
+  }
+  return due;
+}
+
+}  // namespace cell

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "common/bus/bus.h"
+#include "common/bus/lcm_clock.h"
+#include "common/config/deployment.h"
+
+namespace cell {
+
+/// Builds a service from its files.
+using ServiceMaker =
+    std::function<std::unique_ptr<Service>(Bus&, const Deployment&)>;
+
+/// The whole of a service's main(): arguments (--help lists them), roster and
+/// configuration, the bus in lockstep over LCM, until the clock's last tick or
+/// SIGINT or SIGTERM.
+/// @return 0 stopped, 1 failure, 2 usage.
+int RunService(const std::string& name, int argc, char** argv,
+               const ServiceMaker& maker);
+
+/// Where the deployment's files are: `deploy_dir` if it is not empty, else the
+/// folder deploy beside or above the program.
+/// @throws std::runtime_error that names where it looked.
+Deployment FindDeployment(const std::string& deploy_dir,
+                          const std::string& task);
+
+/// Set by SIGINT and SIGTERM once the handlers are installed.
+const std::atomic<bool>& StopOnSignals();
+
+}  // namespace cell
