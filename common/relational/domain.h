@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/relational/rule.h"
+
+namespace cell {
+
+/// What is to be reached: all literals at once; `_` stands for any object.
+struct Goal {
+  std::string name;
+  std::vector<Literal> literals;
+};
+
+/// The symbolic level of a task: domain.yaml.
+///
+///   types: {part: object, bolt: part, hole: object}
+///   constants: {inspector: object}                # optional
+///   static_facts:                                 # optional
+///     fits: {arguments: [part, hole], of_parts: fits}   # or host
+///     near: {arguments: [hole, hole], facts: [[a.h, b.h]]}
+///   predicates:
+///     InHole: {arguments: [bolt, hole], geometry: ...}
+///   actions:
+///     Insert:
+///       arguments: {X: bolt, Y: hole}
+///       agents: [person, robot]                   # default: both
+///       undoes: Remove                            # optional
+///       sec: ...
+///       rules:
+///         - context: [fits(X, Y), Free(Y), not InHole(X, _)]
+///           references: {Z: {type: part, such_that: [On(X, Z)]}}  # optional
+///           outcomes:
+///             - probability: 0.95
+///               effects:
+///                 - InHole(X, Y)
+///                 - {each: {U: part}, where: [On(U, X)], then: [Hot(U)]}
+///           noise: 0.05
+///   goals:
+///     done: [InHole(_, a.h)]
+class Domain {
+ public:
+  /// The blocks `geometry` and `sec` are left unread, so that config.Finish()
+  /// accepts them only once somebody has read or passed over them.
+  /// @throws ConfigError naming file:key.
+  static Domain FromConfig(const Config& config, const PartTable& parts);
+
+  /// Accepts all of these blocks, for who does not read them.
+  void PassOverGeometry() const;
+  void PassOverSec() const;
+
+  const Vocabulary& vocabulary() const { return vocabulary_; }
+  const std::vector<Action>& actions() const { return actions_; }
+  const std::vector<Goal>& goals() const { return goals_; }
+  std::optional<int> FindAction(const std::string& name) const;
+  /// Nothing if there is none of that name.
+  const Goal* FindGoal(const std::string& name) const;
+
+  /// All combinations of objects that the arguments' types allow and for which
+  /// some rule's static literals hold; in the order of actions and objects.
+  std::vector<GroundAction> GroundActions(Agent agent) const;
+  /// The action with these objects; nothing unless names, number and types
+  /// are right.
+  std::optional<GroundAction> FindGroundAction(
+      const std::string& name, const std::vector<std::string>& objects) const;
+  /// "Insert(bolt_1, plate.hole_1)"
+  std::string Show(const GroundAction& action) const;
+
+ private:
+  Vocabulary vocabulary_;
+  std::vector<Action> actions_;
+  std::vector<Goal> goals_;
+};
+
+}  // namespace cell

@@ -1,0 +1,86 @@
+#include "common/relational/rule.h"
+
+#include <algorithm>
+
+namespace cell {
+namespace {
+
+/// Binds the rule's references one by one. False if one is not unique.
+bool BindReferences(const NdrRule& rule, const State& state,
+                    const Vocabulary& vocabulary, Binding& binding) {
+  for (const DeicticReference& reference : rule.references) {
+    std::optional<int> found;
+    binding.push_back(0);
+    for (const int object : vocabulary.ObjectsOf(reference.variable.type)) {
+      binding.back() = object;
+      if (!MayHold(reference.literals, binding, state, vocabulary)) continue;
+      if (found) return false;
+      found = object;
+    }
+    if (!found) return false;
+    binding.back() = *found;
+  }
+  return true;
+}
+
+void BindEach(const Effect& effect, size_t next, Binding& binding,
+              const Vocabulary& vocabulary,
+              const std::function<void(const Effect&, const Binding&)>& visit) {
+  if (next == effect.each.size()) return visit(effect, binding);
+  binding.push_back(0);
+  for (const int object : vocabulary.ObjectsOf(effect.each[next].type)) {
+    binding.back() = object;
+    BindEach(effect, next + 1, binding, vocabulary, visit);
+  }
+  binding.pop_back();
+}
+
+}  // namespace
+
+bool Action::MayBeDoneBy(Agent agent) const {
+  return std::find(agents.begin(), agents.end(), agent) != agents.end();
+}
+
+std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
+                            const State& state,
+                            const Vocabulary& vocabulary) {
+  std::vector<Cover> covers;
+  for (size_t i = 0; i < action.rules.size(); ++i) {
+    const NdrRule& rule = action.rules[i];
+    Binding binding = arguments;
+    if (BindReferences(rule, state, vocabulary, binding) &&
+        MayHold(rule.context, binding, state, vocabulary)) {
+      covers.push_back({static_cast<int>(i), std::move(binding)});
+    }
+  }
+  return covers;
+}
+
+State After(const Outcome& outcome, const Binding& binding,
+            const State& before, const Vocabulary& vocabulary) {
+  State after = before;
+  ForEachEffect(
+      outcome, binding, vocabulary,
+      [&](const Effect& effect, const Binding& bound) {
+        if (!MayHold(effect.where, bound, before, vocabulary)) return;
+        for (const Literal& literal : effect.then) {
+          for (const int atom : AtomsOf(literal, bound, vocabulary)) {
+            after.Set(atom,
+                      literal.is_negated ? Truth::kFalse : Truth::kTrue);
+          }
+        }
+      });
+  return after;
+}
+
+void ForEachEffect(
+    const Outcome& outcome, const Binding& binding,
+    const Vocabulary& vocabulary,
+    const std::function<void(const Effect&, const Binding&)>& visit) {
+  Binding bound = binding;
+  for (const Effect& effect : outcome.effects) {
+    BindEach(effect, 0, bound, vocabulary, visit);
+  }
+}
+
+}  // namespace cell

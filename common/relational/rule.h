@@ -1,0 +1,93 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/relational/literal.h"
+
+namespace cell {
+
+/// Literals that become true. With `each`, for every binding of these
+/// variables for which `where` held before the action.
+struct Effect {
+  std::vector<Variable> each;
+  std::vector<Literal> where;
+  std::vector<Literal> then;
+};
+
+struct Outcome {
+  double probability;
+  std::vector<Effect> effects;
+};
+
+/// A variable that stands for the one object for which all `literals` hold; if
+/// there is none, or a second, the rule does not apply.
+struct DeicticReference {
+  Variable variable;
+  std::vector<Literal> literals;
+};
+
+/// Noisy deictic rule of an action (Pasula, Zettlemoyer, Kaelbling, JAIR 2007;
+/// the paper's Fig. 10). Its variables are the action's arguments, then those
+/// of the references, in their order, then those of an effect's `each`.
+struct NdrRule {
+  std::vector<DeicticReference> references;
+  std::vector<Literal> context;
+  std::vector<Outcome> outcomes;
+  /// Probability that something not modelled happens; for planning: nothing.
+  double noise = 0;
+};
+
+/// Who can do an action.
+enum class Agent { kPerson, kRobot };
+
+/// An action with typed arguments and its rules. In each state at most one of
+/// them should cover it.
+struct Action {
+  std::string name;
+  std::vector<Variable> arguments;
+  std::vector<Agent> agents;
+  std::optional<int> undoes;  ///< the action of which it is the reverse
+  std::vector<NdrRule> rules;
+  /// How it is recognised. Not read here: the recognizer reads it, all others
+  /// call Domain::PassOverSec().
+  std::optional<Config> sec;
+
+  bool MayBeDoneBy(Agent agent) const;
+};
+
+/// An action with its objects.
+struct GroundAction {
+  int action;
+  Binding arguments;
+  auto operator<=>(const GroundAction&) const = default;
+};
+
+/// A rule that covers a state, with all its variables bound.
+struct Cover {
+  int rule;
+  Binding binding;
+};
+
+/// All rules of `action` that may cover `state`, of which some atoms may be
+/// unknown (see MayHold). In a state that is known throughout, the action does
+/// what the rule says if there is exactly one; if not, the default rule
+/// applies: nothing changes.
+std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
+                            const State& state, const Vocabulary& vocabulary);
+
+/// The state after the outcome. Of contradicting effects the later one counts.
+State After(const Outcome& outcome, const Binding& binding,
+            const State& before, const Vocabulary& vocabulary);
+
+/// Calls visit(effect, binding) for every effect of the outcome and every
+/// binding of its `each`, whether or not its `where` holds in a state.
+void ForEachEffect(
+    const Outcome& outcome, const Binding& binding,
+    const Vocabulary& vocabulary,
+    const std::function<void(const Effect&, const Binding&)>& visit);
+
+}  // namespace cell
