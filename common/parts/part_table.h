@@ -6,23 +6,9 @@
 #include <vector>
 
 #include "common/config/config.h"
+#include "common/parts/piece.h"
 
 namespace cell {
-
-/// A convex piece of a part, in the part's frame O. SI units.
-struct Piece {
-  enum class Kind { kBox, kCylinder, kHull };
-  Kind kind = Kind::kBox;
-  Eigen::Isometry3d X_OP = Eigen::Isometry3d::Identity();  ///< box, cylinder
-  Eigen::Vector3d half_extents = Eigen::Vector3d::Zero();  ///< of a box [m]
-  double radius = 0;                                       ///< of a cylinder
-  double half_length = 0;  ///< of a cylinder, along its z [m]
-  std::vector<Eigen::Vector3d> vertices;  ///< of a hull, in O [m]
-  /// Of a hull: vertex indices, counter-clockwise seen from outside.
-  std::vector<std::vector<int>> faces;
-  std::string contact_class;  ///< of the physics; empty: none
-  bool is_shape = true;       ///< counts for rendering and distances
-};
 
 /// Where a part belongs on another one: the frame S that the part's frame O
 /// coincides with when it is seated. It is inserted along -z of S.
@@ -43,6 +29,16 @@ struct Grasp {
   double width = 0;  ///< [m] between the fingers
 };
 
+/// A right-hand thread: the last way of a part into a site of this type is by
+/// turning it, clockwise seen along -z of S.
+struct Thread {
+  std::string site_type;
+  double pitch = 0;       ///< [m] per turn
+  double engagement = 0;  ///< [m] the thread takes hold from here on
+  double max_offset = 0;  ///< [m] of the axes, to take hold
+  double max_tilt = 0;    ///< [rad] of the axes, to take hold
+};
+
 /// One part of a task: a row of parts.yaml.
 struct Part {
   std::string name;
@@ -53,8 +49,8 @@ struct Part {
   std::vector<Grasp> grasps;
   /// Rotations about z of O that leave it as it is: 0 any angle, else n-fold.
   int symmetry_order = 1;
-  bool is_fixed = false;  ///< clamped to the pedestal
-  double density = 0;     ///< [kg/m^3]
+  bool is_fixed = false;           ///< clamped to the pedestal
+  double density = 0;              ///< [kg/m^3]
   std::array<double, 3> colour{};  ///< 0..1
 };
 
@@ -69,18 +65,19 @@ class PartTable {
   /// Nothing if there is none of that name.
   const Part* Find(const std::string& name) const;
   const Site* FindSite(const std::string& name) const;
-  /// Pairs of contact classes that collide; "table" is the table's.
+  /// Nothing if parts go into sites of that type without turning.
+  const Thread* FindThread(const std::string& site_type) const;
+  /// Pairs of contact classes that collide; "table" is the table's and the
+  /// pedestal's.
   const std::vector<std::array<std::string, 2>>& contacts() const {
     return contacts_;
   }
+  const std::vector<Thread>& threads() const { return threads_; }
 
  private:
   std::vector<Part> parts_;
   std::vector<std::array<std::string, 2>> contacts_;
+  std::vector<Thread> threads_;
 };
-
-/// The piece as a hull in O; a cylinder becomes the prism over the regular
-/// `num_sides`-gon inscribed in its circle.
-Piece AsHull(const Piece& piece, int num_sides = 24);
 
 }  // namespace cell

@@ -1,0 +1,1 @@
+cell_add_test(unit/part_table_test.cc LINK cell_parts)
