@@ -45,13 +45,14 @@ bool Clock::Ack(const ack_t& ack) {
     return false;
   }
   Seat& seat = seats_[index];
+  const int32_t lead = roster_.entries[index].latency - 1;
+  // A slow service is often done long before the tick of its outputs.
   const bool is_new = ack.nonce == seat.nonce && seat.life >= 0 &&
                       !seat.is_dead && ack.header.tick > seat.acted &&
-                      ack.header.tick <= tick_;
+                      ack.header.tick <= tick_ + (ack.is_busy ? 0 : lead);
   if (!is_new) return false;
-  const int32_t latency = roster_.entries[index].latency;
   if (ack.is_busy) {
-    if (ack.until != ack.header.tick + latency - 1) return false;
+    if (ack.until != ack.header.tick + lead) return false;
     seat.answered = ack.until - 1;
     return true;
   }
@@ -92,6 +93,15 @@ std::vector<flow_t> Clock::CurrentFlows() const {
   return flows;
 }
 
+// Outputs that are due after the death are void, with their activation.
+int32_t Clock::DeathTickOf(size_t index) const {
+  const Seat& seat = seats_[index];
+  if (seat.life < 0) return -1;
+  const bool is_cut_short = seat.acted >= tick_;
+  return is_cut_short ? seat.acted - roster_.entries[index].latency + 1
+                      : seat.acted + 1;
+}
+
 std::vector<joined_t> Clock::JoinWaiting() {
   std::vector<joined_t> joined;
   for (size_t i = 1; i < seats_.size(); ++i) {
@@ -100,7 +110,7 @@ std::vector<joined_t> Clock::JoinWaiting() {
     joined_t& entry = joined.emplace_back();
     entry.name = roster_.entries[i].name;
     entry.nonce = *seat.successor;
-    entry.death_tick = seat.life >= 0 ? seat.acted + 1 : -1;
+    entry.death_tick = DeathTickOf(i);
     const int32_t life = seat.life + 1;
     seat = Seat{};
     seat.life = life;
@@ -138,14 +148,22 @@ const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
   tick.num_joined = static_cast<int32_t>(tick.joined.size());
   previous_digest_ = TickMessage(tick).digest;
 
+  ForgetTicks();
+  return recent_.emplace_back(std::move(tick));
+}
+
+// The ACK that ends a slow activation does not prove that the TICKs meanwhile
+// have been heard.
+void Clock::ForgetTicks() {
   int32_t oldest = tick_;
-  for (const Seat& seat : seats_) {
-    if (seat.life >= 0) oldest = std::min(oldest, seat.acted + 1);
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    if (seats_[i].life < 0) continue;
+    oldest = std::min(oldest,
+                      seats_[i].acted - roster_.entries[i].latency + 2);
   }
   std::erase_if(recent_, [oldest](const tick_t& old) {
     return old.header.tick < oldest;
   });
-  return recent_.emplace_back(std::move(tick));
 }
 
 std::vector<tick_t> Clock::TicksToRepeat() const { return recent_; }

@@ -74,8 +74,8 @@ bool EventLogReader::HasSyncAt(size_t position) const {
                     buffer_.begin() + static_cast<std::ptrdiff_t>(position));
 }
 
-// An event counts as whole only if another one, or the end, follows it: a
-// forged length would else swallow its neighbours.
+// A damaged length may swallow neighbours: an event that neither another one
+// nor the end follows, and that holds a sync word, is not taken for whole.
 EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
                                               size_t* size) const {
   const size_t left = buffer_.size() - position;
@@ -88,7 +88,15 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
   }
   *size = kHeaderSize + channel_size + data_size;
   if (left < *size) return Parse::kMoreNeeded;
-  if (!HasSyncAt(position + *size)) return Parse::kDamaged;
+  if (!HasSyncAt(position + *size)) {
+    const auto begin = buffer_.begin() + static_cast<std::ptrdiff_t>(position);
+    const auto end = begin + static_cast<std::ptrdiff_t>(
+                                 std::min(*size + 3, left));
+    if (std::search(begin + 4, end, kSyncBytes.begin(), kSyncBytes.end()) !=
+        end) {
+      return Parse::kDamaged;
+    }
+  }
   event->number = std::bit_cast<int64_t>(Read(buffer_, position + 4, 8));
   event->utime = std::bit_cast<int64_t>(Read(buffer_, position + 12, 8));
   const auto data = buffer_.begin() +

@@ -6,6 +6,7 @@ namespace cell {
 
 Roster Roster::FromConfig(const Config& config) {
   Roster roster;
+  roster.task = config.Get<std::string>("task");
   for (const Config& item : config["services"].Items()) {
     Entry entry{item.Get<std::string>("name"), item.Integer("latency", 1, 1000),
                 item.GetOr<std::string>("truth_role", "")};

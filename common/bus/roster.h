@@ -18,6 +18,7 @@ struct Roster {
     int32_t latency = 1;     ///< ticks that one activation takes, >= 1
     std::string truth_role;  ///< as in truth_access.h; empty: the name
   };
+  std::string task;  ///< folder under deploy/tasks
   std::vector<Entry> entries;
 
   /// @throws ConfigError, also for twin names and an empty roster.

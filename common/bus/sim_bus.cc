@@ -69,7 +69,10 @@ bool SimBus::Step() {
                   std::make_move_iterator(published_.begin()),
                   std::make_move_iterator(published_.end()));
   published_.clear();
-  for (size_t i = 1; i < seats_.size(); ++i) Handle(i, last_tick_, messages);
+  last_messages_ = std::move(messages);
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    Handle(i, last_tick_, last_messages_);
+  }
   return true;
 }
 

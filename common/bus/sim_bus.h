@@ -41,6 +41,9 @@ class SimBus {
   bool Step();
 
   const tick_t& last_tick() const { return last_tick_; }
+  /// What its manifest names: the clock's messages of the last tick and the
+  /// services' of the one before.
+  const std::vector<Message>& last_messages() const { return last_messages_; }
 
  private:
   struct Seat {
@@ -69,6 +72,7 @@ class SimBus {
   std::vector<Seat> seats_;  // by roster index; the clock's own is unused
   std::vector<Message> published_;  // by services in the tick before
   tick_t last_tick_{};
+  std::vector<Message> last_messages_;
 };
 
 }  // namespace cell

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "common/bus/lcm_node.h"
-#include "common/bus/roster.h"
 
 namespace cell {
 namespace {
@@ -25,8 +24,7 @@ const std::atomic<bool>& StopOnSignals() {
   return g_stop;
 }
 
-Deployment FindDeployment(const std::string& deploy_dir,
-                          const std::string& task) {
+CellFiles FindCellFiles(const std::string& deploy_dir) {
   namespace fs = std::filesystem;
   std::vector<fs::path> candidates;
   if (!deploy_dir.empty()) {
@@ -38,17 +36,20 @@ Deployment FindDeployment(const std::string& deploy_dir,
     }
   }
   for (const fs::path& candidate : candidates) {
-    if (!fs::is_directory(candidate / "config")) continue;
-    const Deployment deployment{candidate / "config",
-                                candidate / "tasks" / task};
-    if (fs::is_directory(deployment.task_dir)) return deployment;
-    throw std::runtime_error("no task '" + task + "' in " +
-                             deployment.task_dir.parent_path().string());
+    const fs::path config_dir = candidate / "config";
+    if (!fs::is_directory(config_dir)) continue;
+    const Roster roster =
+        Roster::FromConfig(Config::Load(config_dir / "roster.yaml"));
+    const Deployment deployment{config_dir, candidate / "tasks" / roster.task};
+    if (fs::is_directory(deployment.task_dir)) return {deployment, roster};
+    throw std::runtime_error((config_dir / "roster.yaml").string() +
+                             ":task: there is no folder " +
+                             deployment.task_dir.string());
   }
-  throw std::runtime_error("no deployment (a folder with config/ and tasks/) at " +
-                           candidates.front().string() +
-                           (deploy_dir.empty() ? " or above" : "") +
-                           "; name it with --deploy DIR");
+  throw std::runtime_error(
+      "no deployment (a folder with config/ and tasks/) at " +
+      candidates.front().string() + (deploy_dir.empty() ? " or above" : "") +
+      "; name it with --deploy DIR");
 }
 
 int RunService(const std::string& name, int argc, char** argv,
@@ -57,23 +58,23 @@ int RunService(const std::string& name, int argc, char** argv,
                "Example: " + name + " --url udpm://239.255.76.67:7667");
   std::string url = "udpm://239.255.76.67:7667";
   std::string deploy_dir;
-  std::string task = "cranfield";
   app.add_option("--url", url, "LCM address of the cell; control port: +1")
       ->capture_default_str();
   app.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
-  app.add_option("--task", task, "folder under tasks/")->capture_default_str();
+  std::string run_dir;
+  app.add_option("--run-dir", run_dir, "folder in which the run is recorded");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
   try {
-    const Deployment deployment = FindDeployment(deploy_dir, task);
-    const Roster roster =
-        Roster::FromConfig(Config::Load(deployment.config_dir / "roster.yaml"));
+    CellFiles files = FindCellFiles(deploy_dir);
+    files.deployment.run_dir = run_dir;
     RunLcmNode(
-        LcmAddress::Parse(url), roster, name,
-        [&](Bus& bus) { return maker(bus, deployment); }, StopOnSignals());
+        LcmAddress::Parse(url), files.roster, name,
+        [&](Bus& bus) { return maker(bus, files.deployment); },
+        StopOnSignals());
     return 0;
   } catch (const std::exception& e) {
     std::cerr << name << ": " << e.what() << std::endl;

@@ -7,6 +7,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/lcm_clock.h"
+#include "common/bus/roster.h"
 #include "common/config/deployment.h"
 
 namespace cell {
@@ -22,11 +23,16 @@ using ServiceMaker =
 int RunService(const std::string& name, int argc, char** argv,
                const ServiceMaker& maker);
 
-/// Where the deployment's files are: `deploy_dir` if it is not empty, else the
-/// folder deploy beside or above the program.
-/// @throws std::runtime_error that names where it looked.
-Deployment FindDeployment(const std::string& deploy_dir,
-                          const std::string& task);
+/// The files of a cell and who takes part in it.
+struct CellFiles {
+  Deployment deployment;
+  Roster roster;
+};
+
+/// Reads them from `deploy_dir` if it is not empty, else from the folder deploy
+/// beside or above the program. @throws std::runtime_error that names where it
+/// looked, ConfigError for a roster that cannot be used.
+CellFiles FindCellFiles(const std::string& deploy_dir);
 
 /// Set by SIGINT and SIGTERM once the handlers are installed.
 const std::atomic<bool>& StopOnSignals();

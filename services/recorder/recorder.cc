@@ -1,0 +1,66 @@
+#include "services/recorder/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cell/alert_t.hpp"
+#include "cell/tick_t.hpp"
+
+namespace cell {
+
+Recorder::Recorder(Bus& bus, const std::filesystem::path& run_dir)
+    : bus_(bus), store_(run_dir) {
+  bus_.SubscribeAll(
+      [this](const std::string& channel, std::span<const uint8_t> bytes) {
+        OnMessage(channel, bytes);
+      });
+}
+
+void Recorder::OnMessage(const std::string& channel,
+                         std::span<const uint8_t> bytes) {
+  const auto message =
+      MessageFromWire(channel, Bytes(bytes.begin(), bytes.end()));
+  if (!message) return;  // the manifest names none so short
+  if (channel == kTickChannel) {
+    OnTick(*message);
+  } else {
+    order_.Put(*message);
+  }
+}
+
+void Recorder::OnTick(const Message& message) {
+  tick_t tick{};
+  const int size = static_cast<int>(message.bytes->size());
+  if (tick.decode(message.bytes->data(), 0, size) != size) return;
+  const int32_t k = tick.header.tick;
+  const bool is_joining = is_first_tick_;
+  is_first_tick_ = false;
+  if (is_joining && k > 0) {
+    // What was published in the tick of joining did not reach us.
+    const auto self =
+        std::find_if(tick.joined.begin(), tick.joined.end(),
+                     [](const joined_t& j) { return j.name == "recorder"; });
+    const bool is_reborn =
+        self != tick.joined.end() && self->death_tick >= 0;
+    return ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
+  }
+  order_.Put(message);
+  // The clock's messages of the last tick have come; others' do not count.
+  store_.Append(order_.TakeBefore(tick.is_last ? k + 1 : k));
+}
+
+void Recorder::ReportGap(int32_t from, int32_t to) {
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = alert_t::WARNING;
+  alert.cause = alert_t::MISSED_TICKS;
+  alert.text = fmt::format("the log lacks ticks {} to {}", from, to);
+  bus_.Publish("ALERT", alert);
+}
+
+std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment) {
+  return std::make_unique<Recorder>(bus, deployment.run_dir);
+}
+
+}  // namespace cell

@@ -1,0 +1,172 @@
+#include "common/bus/event_log.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <lcm/lcm-cpp.hpp>
+#include <random>
+
+#include "common/bus/replay.h"
+#include "common/bus/run_log.h"
+#include "common/bus/sim_bus.h"
+#include "common/bus/manifest.h"
+#include "tests/unit/toy_services.h"
+
+namespace cell {
+namespace {
+
+class EventLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = std::filesystem::path(testing::TempDir()) /
+           testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::remove_all(dir_);
+    std::filesystem::create_directories(dir_);
+  }
+  std::filesystem::path Path() const { return dir_ / "cell.lcmlog"; }
+  std::vector<std::string> ReadChannels() {
+    EventLogReader reader(Path());
+    reader.Finish();
+    std::vector<std::string> channels;
+    while (const auto event = reader.Next()) channels.push_back(event->channel);
+    num_damages_ = reader.damages().size();
+    return channels;
+  }
+  void Write(int num_events) {
+    EventLogWriter writer(Path());
+    for (int i = 0; i < num_events; ++i) {
+      writer.Write(i, "C" + std::to_string(i), Bytes(40, uint8_t(i)));
+    }
+  }
+  std::string Contents() {
+    std::ifstream in(Path(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void Overwrite(const std::string& contents) {
+    std::ofstream(Path(), std::ios::binary) << contents;
+  }
+
+  std::filesystem::path dir_;
+  size_t num_damages_ = 0;
+};
+
+TEST_F(EventLog, IsReadableByLcmAndByItself) {
+  Write(3);
+  EXPECT_THAT(ReadChannels(), testing::ElementsAre("C0", "C1", "C2"));
+  EXPECT_EQ(num_damages_, 0u);
+  lcm::LogFile stock(Path().string(), "r");
+  ASSERT_TRUE(stock.good());
+  const lcm::LogEvent* event = stock.readNextEvent();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->channel, "C0");
+  EXPECT_EQ(event->datalen, 40);
+}
+
+TEST_F(EventLog, AnyFlippedOrRemovedByteCostsAtMostOneEvent) {
+  Write(5);
+  const std::string whole = Contents();
+  for (size_t i = 0; i < whole.size(); ++i) {
+    std::string flipped = whole;
+    flipped[i] = static_cast<char>(flipped[i] ^ 0x10);
+    Overwrite(flipped);
+    EXPECT_GE(ReadChannels().size(), 4u) << "byte " << i << " flipped";
+    std::string removed = whole;
+    removed.erase(i, 1);
+    Overwrite(removed);
+    EXPECT_GE(ReadChannels().size(), 4u) << "byte " << i << " removed";
+    EXPECT_GE(num_damages_, 1u) << "byte " << i << " removed";
+  }
+}
+
+TEST_F(EventLog, ATruncatedOneKeepsAllBeforeTheCut) {
+  Write(5);
+  const std::string whole = Contents();
+  const size_t event_size = whole.size() / 5;
+  for (size_t size = 0; size < whole.size(); ++size) {
+    Overwrite(whole.substr(0, size));
+    EXPECT_EQ(ReadChannels().size(), size / event_size) << size << " bytes";
+    EXPECT_EQ(num_damages_, size % event_size == 0 ? 0u : 1u);
+  }
+}
+
+TEST_F(EventLog, AGrowingOneGivesEachEventOnce) {
+  EventLogWriter writer(Path());
+  EventLogReader reader(Path());
+  EXPECT_FALSE(reader.Next());
+  for (int i = 0; i < 3; ++i) {
+    writer.Write(i, "A", Bytes(10, 0));
+    writer.Flush();
+    ASSERT_TRUE(reader.Next());
+    EXPECT_FALSE(reader.Next());
+  }
+  EXPECT_TRUE(reader.damages().empty());
+}
+
+// A toy cell's run as the recorder writes it: by tick, in canonical order.
+void Record(const std::filesystem::path& path) {
+  SimBus bus(toy::ToyRoster(), toy::ToyFactories(40), {{"first", 20, 21}});
+  EventLogWriter writer(path);
+  std::vector<Message> all;
+  while (bus.Step()) {
+    all.push_back(TickMessage(bus.last_tick()));
+    for (const Message& message : bus.last_messages()) all.push_back(message);
+  }
+  std::sort(all.begin(), all.end(), OrderedBefore);
+  for (const Message& m : all) {
+    writer.Write(m.tick * kTickUs, m.channel, *m.bytes);
+  }
+}
+
+TEST_F(EventLog, ARunReplaysByteForByteThroughARestart) {
+  Record(Path());
+  const RunLog log = RunLog::Load(dir_);
+  EXPECT_THAT(log.problems(), testing::IsEmpty());
+  for (const auto& [name, factory] : toy::ToyFactories(40)) {
+    const ReplayResult result = Replay(log, toy::ToyRoster(), name, factory);
+    EXPECT_EQ(result.difference, std::nullopt) << name;
+    EXPECT_GT(result.num_messages, 8) << name;
+  }
+}
+
+TEST_F(EventLog, APlantedDifferenceIsFoundWithTickAndChannel) {
+  Record(Path());
+  const RunLog log = RunLog::Load(dir_);
+  auto factories = toy::ToyFactories(40);
+  const ReplayResult result =
+      Replay(log, toy::ToyRoster(), "first", [](Bus& bus) {
+        return std::make_unique<toy::Adder>(bus, "SOURCE", "TRIPLE");
+      });
+  ASSERT_TRUE(result.difference);
+  EXPECT_THAT(*result.difference,
+              testing::AllOf(testing::HasSubstr("tick "),
+                             testing::HasSubstr("DOUBLE")));
+}
+
+TEST_F(EventLog, ADamagedRunNamesTheMessageThatIsGone) {
+  Record(Path());
+  std::vector<LogEvent> events;
+  {
+    EventLogReader reader(Path());
+    while (auto event = reader.Next()) events.push_back(*event);
+  }
+  const auto victim =
+      std::find_if(events.begin() + 100, events.end(),
+                   [](const LogEvent& e) { return e.channel == "SUM"; });
+  victim->bytes.back() ^= 1;
+  {
+    EventLogWriter writer(Path());
+    for (const LogEvent& e : events) writer.Write(e.utime, e.channel, e.bytes);
+  }
+  const RunLog log = RunLog::Load(dir_);
+  ASSERT_EQ(log.problems().size(), 1u);
+  EXPECT_THAT(log.problems()[0], testing::HasSubstr("SUM sender 2"));
+}
+
+TEST_F(EventLog, AMissingFolderIsNamed) {
+  EXPECT_THROW(RunLog::Load(dir_ / "nowhere"), std::runtime_error);
+  EXPECT_THROW(EventLogReader(dir_ / "none.lcmlog"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace cell
