@@ -20,19 +20,19 @@ bool IsPossible(const Action& action, const Binding& arguments,
                 const Vocabulary& vocabulary) {
   const State nothing(vocabulary.num_atoms());
   const auto is_of_arguments = [&](const Literal& literal) {
-    return std::all_of(
-        literal.terms.begin(), literal.terms.end(), [&](const Term& term) {
-          return term.kind != Term::Kind::kVariable ||
-                 term.index < static_cast<int>(arguments.size());
-        });
+    return std::all_of(literal.terms.begin(), literal.terms.end(),
+                       [&](const Term& term) {
+                         return term.kind != Term::Kind::kVariable ||
+                                term.index < static_cast<int>(arguments.size());
+                       });
   };
   return std::any_of(
       action.rules.begin(), action.rules.end(), [&](const NdrRule& rule) {
-        return std::all_of(
-            rule.context.begin(), rule.context.end(), [&](const Literal& l) {
-              return !l.is_static || !is_of_arguments(l) ||
-                     MayHold(l, arguments, nothing, vocabulary);
-            });
+        return std::all_of(rule.context.begin(), rule.context.end(),
+                           [&](const Literal& l) {
+                             return !l.is_static || !is_of_arguments(l) ||
+                                    MayHold(l, arguments, nothing, vocabulary);
+                           });
       });
 }
 

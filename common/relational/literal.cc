@@ -121,15 +121,15 @@ Truth TruthOfAtom(const Literal& literal, const Binding& binding,
     return truth;
   }
   const Predicate& predicate = vocabulary.predicates()[literal.relation];
-  ForEachGrounding(
-      literal, predicate.argument_types, binding, vocabulary,
-      [&](const std::vector<int>& objects) {
-        const auto atom = vocabulary.AtomIndex(literal.relation, objects);
-        if (!atom) return true;
-        const Truth here = state.Get(*atom);
-        if (here != Truth::kFalse) truth = here;
-        return truth != Truth::kTrue;
-      });
+  ForEachGrounding(literal, predicate.argument_types, binding, vocabulary,
+                   [&](const std::vector<int>& objects) {
+                     const auto atom =
+                         vocabulary.AtomIndex(literal.relation, objects);
+                     if (!atom) return true;
+                     const Truth here = state.Get(*atom);
+                     if (here != Truth::kFalse) truth = here;
+                     return truth != Truth::kTrue;
+                   });
   return truth;
 }
 
@@ -173,8 +173,8 @@ std::vector<Literal> ParseLiterals(const Config& config,
   return literals;
 }
 
-bool MayHold(const Literal& literal, const Binding& binding,
-             const State& state, const Vocabulary& vocabulary) {
+bool MayHold(const Literal& literal, const Binding& binding, const State& state,
+             const Vocabulary& vocabulary) {
   const Truth truth = TruthOfAtom(literal, binding, state, vocabulary);
   return truth == Truth::kUnknown ||
          (truth == Truth::kTrue) != literal.is_negated;
@@ -200,13 +200,13 @@ std::vector<int> AtomsOf(const Literal& literal, const Binding& binding,
   std::vector<int> atoms;
   if (literal.is_static) return atoms;
   const Predicate& predicate = vocabulary.predicates()[literal.relation];
-  ForEachGrounding(
-      literal, predicate.argument_types, binding, vocabulary,
-      [&](const std::vector<int>& objects) {
-        const auto atom = vocabulary.AtomIndex(literal.relation, objects);
-        if (atom) atoms.push_back(*atom);
-        return true;
-      });
+  ForEachGrounding(literal, predicate.argument_types, binding, vocabulary,
+                   [&](const std::vector<int>& objects) {
+                     const auto atom =
+                         vocabulary.AtomIndex(literal.relation, objects);
+                     if (atom) atoms.push_back(*atom);
+                     return true;
+                   });
   return atoms;
 }
 

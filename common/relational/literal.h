@@ -53,8 +53,8 @@ std::vector<Literal> ParseLiterals(const Config& config,
 /// True if the literal may hold: an unknown atom satisfies a literal and its
 /// negation. Of a state that is known throughout: if it holds. False for
 /// objects of a wrong type.
-bool MayHold(const Literal& literal, const Binding& binding,
-             const State& state, const Vocabulary& vocabulary);
+bool MayHold(const Literal& literal, const Binding& binding, const State& state,
+             const Vocabulary& vocabulary);
 bool MayHold(std::span<const Literal> literals, const Binding& binding,
              const State& state, const Vocabulary& vocabulary);
 /// True only if no unknown atom could make it false.

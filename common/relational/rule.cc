@@ -42,8 +42,7 @@ bool Action::MayBeDoneBy(Agent agent) const {
 }
 
 std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
-                            const State& state,
-                            const Vocabulary& vocabulary) {
+                            const State& state, const Vocabulary& vocabulary) {
   std::vector<Cover> covers;
   for (size_t i = 0; i < action.rules.size(); ++i) {
     const NdrRule& rule = action.rules[i];
@@ -56,8 +55,8 @@ std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
   return covers;
 }
 
-State After(const Outcome& outcome, const Binding& binding,
-            const State& before, const Vocabulary& vocabulary) {
+State After(const Outcome& outcome, const Binding& binding, const State& before,
+            const Vocabulary& vocabulary) {
   State after = before;
   ForEachEffect(
       outcome, binding, vocabulary,
@@ -65,8 +64,7 @@ State After(const Outcome& outcome, const Binding& binding,
         if (!MayHold(effect.where, bound, before, vocabulary)) return;
         for (const Literal& literal : effect.then) {
           for (const int atom : AtomsOf(literal, bound, vocabulary)) {
-            after.Set(atom,
-                      literal.is_negated ? Truth::kFalse : Truth::kTrue);
+            after.Set(atom, literal.is_negated ? Truth::kFalse : Truth::kTrue);
           }
         }
       });

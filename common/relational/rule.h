@@ -80,8 +80,8 @@ std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
                             const State& state, const Vocabulary& vocabulary);
 
 /// The state after the outcome. Of contradicting effects the later one counts.
-State After(const Outcome& outcome, const Binding& binding,
-            const State& before, const Vocabulary& vocabulary);
+State After(const Outcome& outcome, const Binding& binding, const State& before,
+            const Vocabulary& vocabulary);
 
 /// Calls visit(effect, binding) for every effect of the outcome and every
 /// binding of its `each`, whether or not its `where` holds in a state.

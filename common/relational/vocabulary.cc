@@ -112,8 +112,8 @@ std::set<std::vector<int>> Vocabulary::ListedFacts(
       fact.push_back(*object);
     }
     if (fact.size() != types.size()) {
-      row.Fail(fmt::format("needs {} objects, has {}", types.size(),
-                           fact.size()));
+      row.Fail(
+          fmt::format("needs {} objects, has {}", types.size(), fact.size()));
     }
     facts.insert(std::move(fact));
   }
@@ -133,8 +133,8 @@ std::set<std::vector<int>> Vocabulary::FactsOfParts(
       const int s = *FindObject(site.name);
       if (kind == "host") facts.insert({*FindObject(host.name), s});
       for (const Part& part : parts.parts()) {
-        const bool does_fit = std::count(part.fits.begin(), part.fits.end(),
-                                         site.type) > 0;
+        const bool does_fit =
+            std::count(part.fits.begin(), part.fits.end(), site.type) > 0;
         if (kind == "fits" && does_fit) {
           facts.insert({*FindObject(part.name), s});
         }
@@ -206,9 +206,9 @@ std::optional<int> Vocabulary::AtomIndex(int predicate,
                                          std::span<const int> objects) const {
   const std::vector<int>& types = predicates_.at(predicate).argument_types;
   if (objects.size() != types.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} takes {} objects, not {}", predicates_[predicate].name,
-                    types.size(), objects.size()));
+    throw std::invalid_argument(fmt::format("{} takes {} objects, not {}",
+                                            predicates_[predicate].name,
+                                            types.size(), objects.size()));
   }
   int index = 0;
   for (size_t i = 0; i < types.size(); ++i) {

@@ -80,8 +80,7 @@ class Vocabulary {
   /// "Clear(bolt_1)"
   std::string AtomName(int index) const;
   /// "Name(a, b)"
-  std::string Show(const std::string& name,
-                   std::span<const int> objects) const;
+  std::string Show(const std::string& name, std::span<const int> objects) const;
 
  private:
   void AddObjects(const Config& domain, const PartTable& parts);

@@ -1,0 +1,156 @@
+#include "services/planner/excuse.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace cell {
+namespace {
+
+/// Atoms that have the same truth in all of the states.
+std::vector<int> ConstantAtoms(const StateSpace& space,
+                               const std::vector<int>& states) {
+  std::vector<int> constant;
+  const State& first = space.state(states.front());
+  for (int atom = 0; atom < first.num_atoms(); ++atom) {
+    const bool is_constant = std::all_of(
+        states.begin(), states.end(),
+        [&](int s) { return space.state(s).Get(atom) == first.Get(atom); });
+    if (is_constant) constant.push_back(atom);
+  }
+  return constant;
+}
+
+/// True if a rule of the action has the atom in its context with this truth.
+/// Literals over deictic variables are left out: nobody knows their objects.
+bool Needs(const Domain& domain, const GroundAction& action, int atom,
+           Truth truth) {
+  const Action& lifted = domain.actions()[action.action];
+  const int num_arguments = static_cast<int>(action.arguments.size());
+  for (const NdrRule& rule : lifted.rules) {
+    for (const Literal& literal : rule.context) {
+      const bool is_bound = std::all_of(
+          literal.terms.begin(), literal.terms.end(), [&](const Term& term) {
+            return term.kind != Term::Kind::kVariable ||
+                   term.index < num_arguments;
+          });
+      if (literal.is_static || !is_bound) continue;
+      if (literal.is_negated != (truth == Truth::kFalse)) continue;
+      const auto atoms =
+          AtomsOf(literal, action.arguments, domain.vocabulary());
+      if (std::count(atoms.begin(), atoms.end(), atom) > 0) return true;
+    }
+  }
+  return false;
+}
+
+Truth Opposite(Truth truth) {
+  return truth == Truth::kTrue ? Truth::kFalse : Truth::kTrue;
+}
+
+State Flipped(State state, const std::vector<int>& atoms) {
+  for (const int atom : atoms) state.Set(atom, Opposite(state.Get(atom)));
+  return state;
+}
+
+/// Constant atoms that stand in some action's way; none of which the goal
+/// itself speaks, since to wish for the goal explains nothing.
+std::vector<int> Obstacles(const StateSpace& space, int state,
+                           const Goal& goal) {
+  const Vocabulary& vocabulary = space.domain().vocabulary();
+  std::set<int> goal_predicates;
+  for (const Literal& l : goal.literals) goal_predicates.insert(l.relation);
+  std::vector<int> obstacles;
+  for (const int atom : ConstantAtoms(space, space.ReachableFrom(state))) {
+    if (goal_predicates.contains(vocabulary.Atom(atom).predicate)) continue;
+    const Truth wanted = Opposite(space.state(state).Get(atom));
+    const bool is_needed =
+        std::any_of(space.actions().begin(), space.actions().end(),
+                    [&](const GroundAction& action) {
+                      return Needs(space.domain(), action, atom, wanted);
+                    });
+    if (is_needed) obstacles.push_back(atom);
+  }
+  return obstacles;
+}
+
+/// A least part of `atoms` whose flipping allows a plan; nothing if not even
+/// all of them do.
+std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
+                             const std::function<Plan(const State&)>& solve) {
+  const auto has_plan = [&](const std::vector<int>& flipped) {
+    const Plan::Result result = solve(Flipped(state, flipped)).result;
+    return result == Plan::Result::kFound ||
+           result == Plan::Result::kGoalReached;
+  };
+  for (const int atom : atoms) {
+    if (has_plan({atom})) return {atom};
+  }
+  if (!has_plan(atoms)) return {};
+  for (size_t i = 0; i < atoms.size();) {
+    std::vector<int> fewer = atoms;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (has_plan(fewer)) {
+      atoms = std::move(fewer);
+    } else {
+      ++i;
+    }
+  }
+  return atoms;
+}
+
+/// The goal's literals that fail in the reachable state where fewest do.
+std::string MissingLiterals(const StateSpace& space, int state,
+                            const Goal& goal) {
+  const Vocabulary& vocabulary = space.domain().vocabulary();
+  std::vector<std::string> fewest;
+  for (const int s : space.ReachableFrom(state)) {
+    std::vector<std::string> missing;
+    for (const Literal& literal : goal.literals) {
+      if (MayHold(literal, {}, space.state(s), vocabulary)) continue;
+      missing.push_back(Show(literal, {}, vocabulary));
+    }
+    if (fewest.empty() || missing.size() < fewest.size()) fewest = missing;
+  }
+  std::string text;
+  for (size_t i = 0; i < fewest.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < fewest.size() ? ", " : " and ") + fewest[i];
+  }
+  return text;
+}
+
+/// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
+/// true"
+std::string Complaint(const Domain& domain, const State& state, int atom,
+                      const std::vector<PlanStep>& steps) {
+  const bool is_true = state.Get(atom) == Truth::kTrue;
+  const std::string name = domain.vocabulary().AtomName(atom);
+  const auto step =
+      std::find_if(steps.begin(), steps.end(), [&](const PlanStep& s) {
+        return Needs(domain, s.action, atom, Opposite(state.Get(atom)));
+      });
+  std::string text;
+  if (step != steps.end()) text = domain.Show(step->action) + " needs ";
+  text += (is_true ? "not " : "") + name + ", but " + name;
+  return text + (is_true ? " is true and no action makes it false"
+                         : " is false and no action makes it true");
+}
+
+}  // namespace
+
+std::string ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
+                          const std::function<Plan(const State&)>& solve) {
+  const State& here = space.state(state);
+  std::string text =
+      "cannot be reached: " + MissingLiterals(space, state, goal);
+  const std::vector<int> excuse =
+      LeastExcuse(here, Obstacles(space, state, goal), solve);
+  if (excuse.empty()) return text + "; no action leads there";
+  const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
+  for (const int atom : excuse) {
+    text += "; " + Complaint(space.domain(), here, atom, steps);
+  }
+  return text;
+}
+
+}  // namespace cell

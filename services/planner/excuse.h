@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "services/planner/plan.h"
+#include "services/planner/state_space.h"
+
+namespace cell {
+
+/// Plain words for why `goal` cannot be reached from `state` of the space: the
+/// goal's literals that no reachable state has together with the others, and
+/// an excuse (section VI-B1): a least set of atoms that, were they otherwise,
+/// would allow a plan, with the action that needs them.
+/// `solve` finds the plan for a state.
+std::string ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
+                          const std::function<Plan(const State&)>& solve);
+
+}  // namespace cell

@@ -1,0 +1,154 @@
+#include "services/planner/monitor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cell {
+namespace {
+
+bool IsDecided(const Plan& plan) {
+  return plan.result != Plan::Result::kUndecided;
+}
+
+bool Concerns(const DoneAction& action, const GroundAtom& atom) {
+  return std::any_of(atom.objects.begin(), atom.objects.end(), [&](int object) {
+    return std::count(action.objects.begin(), action.objects.end(), object) > 0;
+  });
+}
+
+}  // namespace
+
+Monitor::Monitor(PlanSearch search, const Params& params)
+    : search_(std::move(search)), params_(params) {}
+
+Monitor::Report Monitor::Take(const SensedState& sensed) {
+  if (!states_.emplace(sensed.key_frame, sensed).second) return {};
+  std::vector<Alert> alerts = JudgeDeferred(sensed);
+  bool has_acted = false;
+  for (size_t i = 0; i < waiting_.size();) {
+    if (waiting_[i].place_key_frame != sensed.key_frame) {
+      ++i;
+      continue;
+    }
+    const DoneAction action = waiting_[i];
+    waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
+    if (auto alert = Judge(action, sensed)) alerts.push_back(*alert);
+    has_acted = true;
+  }
+  Forget();
+  return Tell(std::move(alerts), has_acted);
+}
+
+Monitor::Report Monitor::Take(const DoneAction& action) {
+  if (!actions_.emplace(action.index, action).second) return {};
+  const auto after = states_.find(action.place_key_frame);
+  if (after == states_.end()) {
+    waiting_.push_back(action);
+    Forget();
+    return {};
+  }
+  std::vector<Alert> alerts;
+  if (auto alert = Judge(action, after->second)) alerts.push_back(*alert);
+  Forget();
+  return Tell(std::move(alerts), true);
+}
+
+std::optional<Alert> Monitor::Judge(const DoneAction& action,
+                                    const SensedState& after) {
+  const Plan plan = search_.Find(after.state);
+  if (!IsDecided(plan)) {
+    deferred_.push_back(action);
+    return std::nullopt;
+  }
+  if (plan.result == Plan::Result::kNoPlan) {
+    return Alert{Alert::Cause::kNoPlan, action.utime,
+                 fmt::format("After {} there is no way to the goal: {}",
+                             action.text, plan.reason)};
+  }
+  const double now = plan.expected_actions;
+  const std::optional<double> without = ActionsWithout(action, after.state);
+  last_decided_ = now;
+  if (!without || now <= *without + params_.min_detour) return std::nullopt;
+  const std::string next =
+      plan.steps.empty()
+          ? ""
+          : "; best next: " + search_.domain().Show(plan.steps[0].action);
+  return Alert{
+      Alert::Cause::kLongerPlan, action.utime,
+      fmt::format("{} has made the way to the goal longer: {:.1f} instead of "
+                  "{:.1f} expected actions{}",
+                  action.text, now, *without, next)};
+}
+
+/// The state before the pick-up, but with what other actions have done since:
+/// two hands may act at once, and while a part is in the air it is neither
+/// here nor there.
+std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
+                                              const State& after) {
+  auto before = states_.lower_bound(action.pick_key_frame);
+  if (before == states_.begin()) return last_decided_;
+  --before;
+  State state = before->second.state;
+  for (int atom = 0; atom < state.num_atoms(); ++atom) {
+    if (state.Get(atom) == after.Get(atom)) continue;
+    const GroundAtom ground = search_.domain().vocabulary().Atom(atom);
+    for (const auto& [index, other] : actions_) {
+      if (index == action.index ||
+          other.place_key_frame < action.pick_key_frame ||
+          other.place_key_frame > action.place_key_frame ||
+          !Concerns(other, ground) || Concerns(action, ground)) {
+        continue;
+      }
+      state.Set(atom, after.Get(atom));
+    }
+  }
+  const Plan plan = search_.Find(state);
+  if (plan.result == Plan::Result::kFound ||
+      plan.result == Plan::Result::kGoalReached) {
+    return plan.expected_actions;
+  }
+  return last_decided_;
+}
+
+std::vector<Alert> Monitor::JudgeDeferred(const SensedState& after) {
+  std::vector<Alert> alerts;
+  std::deque<DoneAction> deferred;
+  deferred.swap(deferred_);
+  for (const DoneAction& action : deferred) {
+    if (action.place_key_frame > after.key_frame) {  // a late, older state
+      deferred_.push_back(action);
+      continue;
+    }
+    if (auto alert = Judge(action, after)) alerts.push_back(*alert);
+  }
+  return alerts;
+}
+
+void Monitor::Forget() {
+  const auto max = static_cast<size_t>(params_.max_remembered);
+  while (states_.size() > max) states_.erase(states_.begin());
+  while (actions_.size() > max) actions_.erase(actions_.begin());
+  while (waiting_.size() > max) waiting_.pop_front();
+  while (deferred_.size() > max) deferred_.pop_front();
+}
+
+/// The plan of the latest state.
+Monitor::Report Monitor::Tell(std::vector<Alert> alerts, bool has_acted) {
+  const SensedState& latest = states_.rbegin()->second;
+  PlanOfState plan{latest.key_frame, latest.utime, search_.Find(latest.state)};
+  if (!last_decided_ && (plan.plan.result == Plan::Result::kFound ||
+                         plan.plan.result == Plan::Result::kGoalReached)) {
+    last_decided_ = plan.plan.expected_actions;
+  }
+  Report report{std::nullopt, std::move(alerts)};
+  if (!told_ || has_acted || !report.alerts.empty() ||
+      told_->plan != plan.plan) {
+    report.plan = plan;
+    told_ = std::move(plan);
+  }
+  return report;
+}
+
+}  // namespace cell

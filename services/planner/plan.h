@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/relational/rule.h"
+
+namespace cell {
+
+struct PlanStep {
+  GroundAction action;
+  double probability = 0;       ///< of the outcome that the plan counts on
+  double expected_actions = 0;  ///< to the goal when this is done first
+  bool operator==(const PlanStep&) const = default;
+};
+
+/// The best way to a goal: the highest probability of reaching it, then the
+/// fewest actions to be expected.
+struct Plan {
+  enum class Result {
+    kFound,
+    kGoalReached,
+    kNoPlan,
+    kUndecided  ///< depends on atoms that are unknown, or is too large
+  };
+  Result result = Result::kUndecided;
+  std::string reason;  ///< in plain words, if there is no plan
+  double probability = 0;
+  double expected_actions = 0;  ///< given that the goal is reached
+  std::vector<PlanStep> steps;  ///< the most likely course
+  /// All actions from which the goal can be reached, best first.
+  std::vector<PlanStep> next;
+  bool operator==(const Plan&) const = default;
+};
+
+}  // namespace cell

@@ -1,0 +1,163 @@
+#include "services/planner/plan_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "services/planner/excuse.h"
+
+namespace cell {
+namespace {
+
+constexpr size_t kMaxNamedUnknowns = 5;
+
+/// Values without the last digits, which depend on the order of questions.
+double Rounded(double value) {
+  return std::round(value * 1e9) / 1e9;
+}
+
+}  // namespace
+
+PlanSearch::PlanSearch(const Domain& domain, Goal goal, const Params& params)
+    : goal_(std::move(goal)), params_(params), space_(domain, params.agent) {}
+
+Plan PlanSearch::Find(const State& state) {
+  Plan plan = Solve(state.UnknownAsFalse());
+  const bool is_surely_reached = std::all_of(
+      goal_.literals.begin(), goal_.literals.end(), [&](const Literal& l) {
+        return MustHold(l, {}, state, domain().vocabulary());
+      });
+  if (plan.result == Plan::Result::kGoalReached && !is_surely_reached) {
+    plan.result = Plan::Result::kUndecided;
+    plan.reason = WhyUndecided(state);
+  }
+  if (plan.result != Plan::Result::kNoPlan) return plan;
+  if (state.HasUnknown() && Solve(state).result != Plan::Result::kNoPlan) {
+    plan.result = Plan::Result::kUndecided;
+    plan.reason = WhyUndecided(state);
+  } else {
+    plan.reason = WhyNoPlan(state.UnknownAsFalse());
+  }
+  return plan;
+}
+
+Plan PlanSearch::Solve(const State& state) {
+  Plan plan;
+  const std::optional<int> s = Enter(state);
+  if (!s) {
+    plan.reason = fmt::format(
+        "more than {} states can be reached from here; allow more states, or "
+        "describe the task with fewer predicates",
+        params_.max_states);
+    return plan;
+  }
+  const GoalValues::Value& value = values_.Of(*s);
+  plan.probability = Rounded(value.probability);
+  plan.expected_actions = Rounded(value.expected_actions);
+  plan.steps = LikelyCourse(*s);
+  plan.next = NextSteps(*s);
+  plan.result = is_goal_[*s]            ? Plan::Result::kGoalReached
+                : value.probability > 0 ? Plan::Result::kFound
+                                        : Plan::Result::kNoPlan;
+  return plan;
+}
+
+std::optional<int> PlanSearch::Enter(const State& state) {
+  std::optional<int> entered = space_.Enter(state, params_.max_states);
+  if (!entered) {  // the states of earlier questions may have filled it
+    values_.Clear();
+    is_goal_.clear();
+    entered = space_.Enter(state, params_.max_states);
+    if (!entered) return std::nullopt;
+  }
+  for (int s = static_cast<int>(is_goal_.size()); s < space_.size(); ++s) {
+    is_goal_.push_back(IsReached(space_.state(s)));
+  }
+  values_.Extend(space_, is_goal_);
+  return entered;
+}
+
+bool PlanSearch::IsReached(const State& state) const {
+  return MayHold(goal_.literals, {}, state, domain().vocabulary());
+}
+
+std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
+  std::vector<PlanStep> steps;
+  std::set<int> visited;
+  while (!is_goal_[state] && visited.insert(state).second) {
+    const int best = values_.Best(space_, state);
+    if (best < 0) break;
+    const StateSpace::Choice& choice = space_.choices(state)[best];
+    const auto likeliest = std::max_element(
+        choice.moves.begin(), choice.moves.end(),
+        [&](const StateSpace::Move& a, const StateSpace::Move& b) {
+          return a.probability * values_.Of(a.state).probability <
+                 b.probability * values_.Of(b.state).probability;
+        });
+    const GoalValues::Value value = values_.Of(choice, state);
+    steps.push_back({space_.actions()[choice.action], likeliest->probability,
+                     Rounded(value.expected_actions)});
+    state = likeliest->state;
+  }
+  return steps;
+}
+
+std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
+  struct Candidate {
+    PlanStep step;
+    double probability;  // of reaching the goal
+  };
+  std::vector<Candidate> candidates;
+  for (const StateSpace::Choice& choice : space_.choices(state)) {
+    const GoalValues::Value value = values_.Of(choice, state);
+    double likeliest = 0;
+    for (const StateSpace::Move& move : choice.moves) {
+      if (values_.Of(move.state).probability <= 0) continue;
+      likeliest = std::max(likeliest, move.probability);
+    }
+    if (likeliest == 0) continue;
+    candidates.push_back({{space_.actions()[choice.action], likeliest,
+                           Rounded(value.expected_actions)},
+                          Rounded(value.probability)});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     if (a.probability != b.probability) {
+                       return a.probability > b.probability;
+                     }
+                     return a.step.expected_actions < b.step.expected_actions;
+                   });
+  std::vector<PlanStep> next;
+  for (Candidate& candidate : candidates) {
+    next.push_back(std::move(candidate.step));
+  }
+  return next;
+}
+
+std::string PlanSearch::WhyNoPlan(const State& state) {
+  // Looked up anew, since the questions of an excuse may fill the space.
+  StateSpace space(domain(), params_.agent);
+  const std::optional<int> s = space.Enter(state, params_.max_states);
+  if (!s) return "too many states to explain";
+  return ExplainNoPlan(space, *s, goal_,
+                       [this](const State& other) { return Solve(other); });
+}
+
+std::string PlanSearch::WhyUndecided(const State& state) const {
+  const std::vector<int> unknown = state.UnknownAtoms();
+  std::string names;
+  for (size_t i = 0; i < unknown.size() && i < kMaxNamedUnknowns; ++i) {
+    names += (i > 0 ? ", " : "") + domain().vocabulary().AtomName(unknown[i]);
+  }
+  if (unknown.size() > kMaxNamedUnknowns) {
+    names += fmt::format(" and {} more", unknown.size() - kMaxNamedUnknowns);
+  }
+  return "it is not known whether there is a way to the goal, since these are "
+         "unknown: " +
+         names;
+}
+
+}  // namespace cell

@@ -1,0 +1,137 @@
+#include "services/planner/planner_messages.h"
+
+#include <set>
+
+namespace cell {
+namespace {
+
+std::optional<Truth> ToTruth(int8_t code) {
+  switch (code) {
+    case literal_t::FALSE_:
+      return Truth::kFalse;
+    case literal_t::TRUE_:
+      return Truth::kTrue;
+    case literal_t::UNKNOWN:
+      return Truth::kUnknown;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<int> AtomOf(const literal_t& literal, const Vocabulary& v) {
+  const std::optional<int> predicate = v.FindPredicate(literal.predicate);
+  if (!predicate) return std::nullopt;
+  const auto& types = v.predicates()[*predicate].argument_types;
+  if (literal.arguments.size() != types.size()) return std::nullopt;
+  std::vector<int> objects;
+  for (const std::string& name : literal.arguments) {
+    const std::optional<int> object = v.FindObject(name);
+    if (!object) return std::nullopt;
+    objects.push_back(*object);
+  }
+  return v.AtomIndex(*predicate, objects);
+}
+
+int8_t CodeOf(Plan::Result result) {
+  switch (result) {
+    case Plan::Result::kFound:
+      return plan_t::FOUND;
+    case Plan::Result::kGoalReached:
+      return plan_t::GOAL_REACHED;
+    case Plan::Result::kNoPlan:
+      return plan_t::NO_PLAN;
+    case Plan::Result::kUndecided:
+      return plan_t::UNDECIDED;
+  }
+  return plan_t::UNDECIDED;
+}
+
+std::vector<plan_step_t> ToMessages(const std::vector<PlanStep>& steps,
+                                    const Domain& domain) {
+  std::vector<plan_step_t> messages;
+  for (const PlanStep& step : steps) {
+    plan_step_t& message = messages.emplace_back();
+    message.action = domain.actions()[step.action.action].name;
+    for (const int object : step.action.arguments) {
+      message.arguments.push_back(domain.vocabulary().objects()[object].name);
+    }
+    message.num_arguments = static_cast<int32_t>(message.arguments.size());
+    message.probability = step.probability;
+    message.expected_actions = step.expected_actions;
+  }
+  return messages;
+}
+
+}  // namespace
+
+std::optional<SensedState> FromMessage(const predicates_t& message,
+                                       const Domain& domain) {
+  const Vocabulary& vocabulary = domain.vocabulary();
+  SensedState sensed{message.key_frame, message.header.utime,
+                     State(vocabulary.num_atoms())};
+  if (message.key_frame < 0) return std::nullopt;
+  for (int atom = 0; atom < vocabulary.num_atoms(); ++atom) {
+    sensed.state.Set(atom, Truth::kUnknown);
+  }
+  std::set<int> seen;
+  for (const literal_t& literal : message.literals) {
+    const std::optional<int> atom = AtomOf(literal, vocabulary);
+    const std::optional<Truth> truth = ToTruth(literal.value);
+    if (!atom || !truth || !seen.insert(*atom).second) return std::nullopt;
+    sensed.state.Set(*atom, *truth);
+  }
+  return sensed;
+}
+
+std::optional<DoneAction> FromMessage(const action_t& message,
+                                      const Domain& domain) {
+  const std::optional<int> part = domain.vocabulary().FindObject(message.part);
+  if (!part || message.index < 0 || message.pick_key_frame < 0 ||
+      message.place_key_frame < message.pick_key_frame) {
+    return std::nullopt;
+  }
+  DoneAction action{message.index,
+                    message.header.utime,
+                    message.pick_key_frame,
+                    message.place_key_frame,
+                    {*part},
+                    "moving " + message.part};
+  if (message.kind == action_t::UNKNOWN) return action;
+  const auto ground = domain.FindGroundAction(message.name, message.arguments);
+  if (!ground) return std::nullopt;
+  action.objects.insert(action.objects.end(), ground->arguments.begin(),
+                        ground->arguments.end());
+  action.text = domain.Show(*ground);
+  if (message.kind == action_t::FORWARD) return action;
+  if (message.kind != action_t::REVERSED) return std::nullopt;
+  action.text = "taking back " + action.text;
+  return action;
+}
+
+plan_t ToMessage(const Monitor::PlanOfState& of_state, const Domain& domain) {
+  const Plan& plan = of_state.plan;
+  plan_t message{};
+  message.header.utime = of_state.utime;
+  message.key_frame = of_state.key_frame;
+  message.result = CodeOf(plan.result);
+  message.reason = plan.reason;
+  message.probability = plan.probability;
+  message.expected_actions = plan.expected_actions;
+  message.steps = ToMessages(plan.steps, domain);
+  message.num_steps = static_cast<int32_t>(message.steps.size());
+  message.next = ToMessages(plan.next, domain);
+  message.num_next = static_cast<int32_t>(message.next.size());
+  return message;
+}
+
+alert_t ToMessage(const Alert& alert) {
+  const bool is_error = alert.cause == Alert::Cause::kNoPlan;
+  alert_t message{};
+  message.header.utime = alert.utime;
+  message.level = is_error ? alert_t::ERROR : alert_t::WARNING;
+  message.cause = is_error ? alert_t::NO_PLAN : alert_t::LONGER_PLAN;
+  message.text = alert.text;
+  return message;
+}
+
+}  // namespace cell

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "common/relational/domain.h"
+
+namespace cell {
+
+/// All states that can be reached from the states entered so far by the
+/// actions of one agent; closed under them. States are indices in the order of
+/// their discovery.
+class StateSpace {
+ public:
+  struct Move {
+    int state;  ///< another one
+    double probability;
+  };
+  /// An action that may change the state; the rest of the probability stays.
+  struct Choice {
+    int action;  ///< index among actions()
+    double stay;
+    std::vector<Move> moves;  ///< each state once
+  };
+
+  /// `domain` must outlive this object.
+  StateSpace(const Domain& domain, Agent agent);
+
+  /// Adds the state and all that can be reached from it. Returns its index;
+  /// nothing if there would be more than `max_states`: then the space is empty
+  /// again. An unknown atom stays unknown and allows whatever it may (MayHold),
+  /// so that more is reachable than truly is.
+  std::optional<int> Enter(const State& state, int max_states);
+
+  int size() const { return static_cast<int>(states_.size()); }
+  const State& state(int index) const { return states_.at(index); }
+  const std::vector<Choice>& choices(int state) const {
+    return choices_[state];
+  }
+  const std::vector<GroundAction>& actions() const { return actions_; }
+  const Domain& domain() const { return domain_; }
+
+  /// Ascending, the state itself among them.
+  std::vector<int> ReachableFrom(int state) const;
+
+ private:
+  struct HashOfState {
+    size_t operator()(const State& state) const { return state.Hash(); }
+  };
+
+  int IndexOf(const State& state);
+  std::vector<Choice> ChoicesIn(int state);
+  Choice Try(int action, const Cover& cover, int state);
+
+  const Domain& domain_;
+  std::vector<GroundAction> actions_;
+  std::vector<State> states_;
+  std::vector<std::vector<Choice>> choices_;
+  std::unordered_map<State, int, HashOfState> index_of_;  // never iterated
+};
+
+}  // namespace cell

@@ -1,0 +1,2 @@
+cell_add_test(unit/domain_test.cc LINK cell_relational)
+
