@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace cell {
+
+/// What main() runs once the arguments are parsed; its exit code.
+using Action = std::function<int()>;
+
+// Each adds one subcommand to the command line and, if it is chosen, sets
+// `action`. One file per command.
+void AddDemo(CLI::App& app, Action* action);
+void AddSim(CLI::App& app, Action* action);
+void AddReplay(CLI::App& app, Action* action);
+void AddDiff(CLI::App& app, Action* action);
+void AddEval(CLI::App& app, Action* action);
+void AddView(CLI::App& app, Action* action);
+void AddEpisode(CLI::App& app, Action* action);
+
+}  // namespace cell

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "common/bus/lcm_port.h"
+#include "common/bus/private_network.h"
+#include "common/node/run_service.h"
+#include "services/cell/commands.h"
+#include "services/cell/process_group.h"
+#include "services/cell/run_options.h"
+#include "services/cell/run_report.h"
+
+namespace cell {
+namespace {
+
+struct DemoOptions {
+  RunOptions run;
+  std::string pace = "fast";
+  std::vector<std::string> kills;
+};
+
+struct PlannedKill {
+  std::string service;
+  int32_t tick = 0;
+};
+
+PlannedKill ParseKill(const std::string& text, const Roster& roster) {
+  const size_t at = text.find('@');
+  if (at != std::string::npos) {
+    PlannedKill kill{text.substr(0, at), 0};
+    const std::string tick = text.substr(at + 1);
+    const bool is_number =
+        !tick.empty() && tick.size() < 9 &&
+        tick.find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && roster.IndexOf(kill.service).value_or(0) > 0) {
+      kill.tick = std::stoi(tick);
+      return kill;
+    }
+  }
+  throw std::invalid_argument("--kill " + text +
+                              ": not of the form SERVICE@TICK with a service "
+                              "of roster.yaml other than the clock");
+}
+
+// All processes of a cell on a network of their own, until the clock ends.
+class Demo {
+ public:
+  Demo(const DemoOptions& options, const RunFolder& run)
+      : options_(options), run_(run), report_(run, options.run.is_hash) {
+    for (const std::string& text : options.kills) {
+      kills_.push_back(ParseKill(text, run.roster));
+    }
+  }
+
+  int Run(const std::atomic<bool>& stop) {
+    for (const Roster::Entry& entry : run_.roster.entries) Start(entry.name);
+    std::optional<LcmPort> ticks;
+    std::vector<LcmPort*> ports;
+    if (!kills_.empty()) {
+      ticks.emplace(LcmAddress{}.MainUrl());
+      ports.push_back(&*ticks);
+      ticks->Subscribe("TICK", [this](const std::string&, Bytes bytes) {
+        if (bytes.size() >= kWireHeaderEnd) {
+          KillDue(ReadWireHeader(bytes).tick);
+        }
+      });
+    }
+    constexpr int kLookMs = 20;
+    while (IsRunning()) {
+      if (stop) {
+        processes_.StopAll(kGraceMs);
+        throw std::runtime_error("stopped; the log is in " +
+                                 run_.path.string());
+      }
+      WaitForAny(ports, kLookMs);
+      if (ticks) ticks->Drain();
+      report_.Follow();
+      for (const auto& death : processes_.TakeDeaths()) OnDeath(death);
+      resident_bytes_ = std::max(resident_bytes_, processes_.ResidentBytes());
+    }
+    AwaitOthers();
+    const int result = report_.Finish();
+    report_.Say(fmt::format("resident memory of all services: {} MB",
+                            resident_bytes_ >> 20));
+    return is_failed_ ? 1 : result;
+  }
+
+ private:
+  static constexpr int kGraceMs = 3000;
+  static constexpr int kMaxRestarts = 10;
+
+  const std::string& clock() const { return run_.roster.entries[0].name; }
+  bool IsRunning() const { return processes_.IsRunning(clock()); }
+
+  void Start(const std::string& name) {
+    const auto bin =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    std::vector<std::string> arguments = {
+        "--deploy", (run_.path / "deploy").string(), "--run-dir",
+        run_.path.string()};
+    if (name == clock()) {
+      arguments.insert(arguments.end(),
+                       {"--seed", std::to_string(run_.seed), "--pace",
+                        options_.pace});
+      if (!run_.demonstration.empty()) {
+        arguments.insert(arguments.end(),
+                         {"--demonstration", run_.demonstration});
+      }
+    }
+    processes_.Start(name, bin / name, arguments, LogOf(name));
+  }
+
+  std::filesystem::path LogOf(const std::string& name) const {
+    return run_.path / (name + ".out");
+  }
+
+  void KillDue(int32_t tick) {
+    for (PlannedKill& kill : kills_) {
+      if (kill.tick > tick || kill.tick < 0) continue;
+      kill.tick = -1;
+      processes_.Kill(kill.service, SIGKILL);
+    }
+  }
+
+  void OnDeath(const ProcessGroup::Death& death) {
+    if (death.is_clean) return;  // after the last tick
+    const std::string where = " (see " + LogOf(death.name).string() + ")";
+    if (death.name == clock()) {
+      is_failed_ = true;
+      report_.Say(death.name + ": " + death.cause + ", the run ends" + where);
+      return;
+    }
+    if (++num_restarts_[death.name] > kMaxRestarts) {
+      throw std::runtime_error(death.name + ": " + death.cause +
+                               ", again and again" + where);
+    }
+    report_.Say(death.name + ": " + death.cause + ", restarted" + where);
+    Start(death.name);
+  }
+
+  // The others end by themselves after the last tick.
+  void AwaitOthers() {
+    constexpr int kStepMs = 10;
+    for (int waited = 0; waited < kGraceMs; waited += kStepMs) {
+      processes_.TakeDeaths();
+      bool is_any = false;
+      for (const Roster::Entry& entry : run_.roster.entries) {
+        is_any |= processes_.IsRunning(entry.name);
+      }
+      if (!is_any) return;
+      WaitForAny({}, kStepMs);
+    }
+    processes_.StopAll(0);
+  }
+
+  const DemoOptions& options_;
+  const RunFolder& run_;
+  RunReport report_;
+  ProcessGroup processes_;
+  std::vector<PlannedKill> kills_;
+  std::map<std::string, int> num_restarts_;
+  int64_t resident_bytes_ = 0;
+  bool is_failed_ = false;
+};
+
+int RunDemo(const DemoOptions& options) {
+  const RunFolder run = options.run.CreateFolder("demo");
+  EnterPrivateNetwork();
+  return Demo(options, run).Run(StopOnSignals());
+}
+
+}  // namespace
+
+void AddDemo(CLI::App& app, Action* action) {
+  auto options = std::make_shared<DemoOptions>();
+  CLI::App* command = app.add_subcommand(
+      "demo",
+      "Watch a person assemble: all processes over LCM, on a private network.\n"
+      "Example: cell demo --seed 7 --pace realtime");
+  options->run.AddTo(*command);
+  command->add_option("--pace", options->pace,
+                      "as fast as the machine allows, or realtime")
+      ->check(CLI::IsMember({"fast", "realtime"}))
+      ->capture_default_str();
+  command->add_option("--kill", options->kills,
+                      "SERVICE@TICK: kill -9 it there (may be repeated)");
+  command->callback([=] { *action = [=] { return RunDemo(*options); }; });
+}
+
+}  // namespace cell

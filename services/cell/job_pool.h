@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cell {
+
+/// Runs `job(i)` for every i of `indices` in processes of their own, at most
+/// `num_processes` at a time; `done(i, result)` hears each result as it comes,
+/// in the order of completion. A job that dies or throws gives an empty result.
+/// Device adapter.
+void RunJobs(const std::vector<size_t>& indices, int num_processes,
+             const std::function<std::string(size_t)>& job,
+             const std::function<void(size_t, const std::string&)>& done);
+
+}  // namespace cell

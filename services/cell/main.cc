@@ -1,0 +1,28 @@
+// cell: the operator's command line.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "services/cell/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "A robot cell that is taught by showing.\n"
+      "Example: cell demo --seed 7");
+  app.require_subcommand(1);
+  cell::Action action;
+  for (const auto add : {cell::AddDemo, cell::AddSim, cell::AddReplay,
+                         cell::AddDiff, cell::AddEval, cell::AddView,
+                         cell::AddEpisode}) {
+    add(app, &action);
+  }
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const std::exception& e) {
+    std::cerr << "cell: " << e.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/bus/message.h"
+
+namespace cell {
+
+/// Tells what happens in a cell in plain words: key frames, recognised actions,
+/// predicates that changed, the plan, alerts. Pure: messages in canonical
+/// order in, lines out.
+class Narrator {
+ public:
+  std::vector<std::string> Tell(const Message& message);
+
+ private:
+  std::vector<std::string> TellKeyFrame(const Message& message);
+  std::vector<std::string> TellAction(const Message& message);
+  std::vector<std::string> TellPredicates(const Message& message);
+  std::vector<std::string> TellPlan(const Message& message);
+  std::vector<std::string> TellAlert(const Message& message);
+  std::vector<std::string> TellEpisode(const Message& message);
+
+  std::map<std::pair<std::string, std::string>, int8_t> relations_;
+  std::map<std::string, int8_t> literals_;
+};
+
+}  // namespace cell

@@ -1,0 +1,81 @@
+#include "services/cell/run_folder.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path FreeFolder(const std::string& kind) {
+  for (int number = 1;; ++number) {
+    fs::path path = fs::path("runs") / fmt::format("{}-{:04}", kind, number);
+    if (!fs::exists(path)) return path;
+  }
+}
+
+Deployment DeploymentIn(const fs::path& run, const std::string& task) {
+  return {run / "deploy" / "config", run / "deploy" / "tasks" / task, run};
+}
+
+}  // namespace
+
+RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
+                            const Deployment& source,
+                            const std::string& demonstration, uint64_t seed) {
+  RunFolder run;
+  run.path = path.empty() ? FreeFolder(kind) : fs::path(path);
+  if (fs::exists(run.path) && !fs::is_empty(run.path)) {
+    throw std::runtime_error(run.path.string() +
+                             ": exists and is not empty; choose another --out");
+  }
+  const std::string task = source.task_dir.filename().string();
+  run.deployment = DeploymentIn(run.path, task);
+  fs::create_directories(run.deployment.task_dir.parent_path());
+  constexpr auto kDeep = fs::copy_options::recursive;
+  fs::copy(source.config_dir, run.deployment.config_dir, kDeep);
+  fs::copy(source.task_dir, run.deployment.task_dir, kDeep);
+  const fs::path types =
+      source.config_dir.parent_path().parent_path() / "lcmtypes";
+  if (fs::is_directory(types)) {
+    fs::create_directories(run.path / "lcmtypes");
+    for (const auto& entry : fs::directory_iterator(types)) {
+      if (entry.path().extension() == ".lcm") {
+        fs::copy(entry.path(), run.path / "lcmtypes");
+      }
+    }
+  }
+  run.demonstration = demonstration;
+  run.seed = seed;
+  run.roster = Roster::FromConfig(
+      Config::Load(run.deployment.config_dir / "roster.yaml"));
+  std::ofstream file(run.path / "run.yaml");
+  file << "task: " << task << "\ndemonstration: " << demonstration
+       << "\nseed: " << seed << "\n";
+  if (!file.flush()) {
+    throw std::runtime_error(run.path.string() + ": cannot be written");
+  }
+  return run;
+}
+
+RunFolder RunFolder::Open(const std::string& path) {
+  RunFolder run;
+  run.path = path;
+  if (!fs::is_directory(run.path)) {
+    throw std::runtime_error(path + ": is not a run folder");
+  }
+  const Config config = Config::Load(run.path / "run.yaml");
+  run.deployment = DeploymentIn(run.path, config.Get<std::string>("task"));
+  run.deployment.run_dir.clear();  // reading must not write
+  run.demonstration = config.Get<std::string>("demonstration");
+  run.seed = config.Get<uint64_t>("seed");
+  config.Finish();
+  run.roster = Roster::FromConfig(
+      Config::Load(run.deployment.config_dir / "roster.yaml"));
+  return run;
+}
+
+}  // namespace cell

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "common/bus/roster.h"
+#include "common/config/deployment.h"
+
+namespace cell {
+
+/// A folder that holds everything a run needs to be repeated and replayed: its
+/// log, the configuration and task it ran with, the texts of its message types
+/// and what was asked for (run.yaml). Storage adapter.
+struct RunFolder {
+  std::filesystem::path path;
+  Deployment deployment;  ///< the folder's own copy
+  Roster roster;
+  std::string demonstration;
+  uint64_t seed = 0;
+
+  /// Makes `path` (must not exist or be empty; "" picks runs/<kind>-<number>
+  /// here) and copies `source` into it.
+  /// @throws std::runtime_error naming the folder.
+  static RunFolder Create(const std::string& path, const std::string& kind,
+                          const Deployment& source,
+                          const std::string& demonstration, uint64_t seed);
+
+  /// @throws std::runtime_error or ConfigError if it is not a run folder.
+  static RunFolder Open(const std::string& path);
+};
+
+}  // namespace cell

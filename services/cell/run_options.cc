@@ -1,0 +1,25 @@
+#include "services/cell/run_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "common/node/run_service.h"
+
+namespace cell {
+
+void RunOptions::AddTo(CLI::App& command) {
+  command.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
+  command.add_option("--demonstration", demonstration,
+                     "script of the task's demonstrators.yaml");
+  command.add_option("--seed", seed, "where all chance comes from")
+      ->capture_default_str();
+  command.add_option("--out", out, "run folder (default: runs/...)");
+  command.add_flag("--hash", is_hash,
+                   "print nothing but one digest per channel");
+}
+
+RunFolder RunOptions::CreateFolder(const std::string& kind) const {
+  const CellFiles files = FindCellFiles(deploy_dir);
+  return RunFolder::Create(out, kind, files.deployment, demonstration, seed);
+}
+
+}  // namespace cell

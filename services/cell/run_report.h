@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/cell/channel_digests.h"
+#include "services/cell/episode_observer.h"
+#include "services/cell/log_follower.h"
+#include "services/cell/narrator.h"
+#include "services/cell/progress.h"
+#include "services/cell/run_folder.h"
+
+namespace cell {
+
+/// Tells on the terminal what a run does, from its log as it grows, and sums it
+/// up. With `is_hash` it says nothing but the digests of the channels.
+class RunReport {
+ public:
+  RunReport(const RunFolder& run, bool is_hash);
+
+  /// Tells what has been written since the last call.
+  void Follow();
+  /// A word from the launcher, between the lines.
+  void Say(const std::string& line);
+  /// Sums up, draws the final picture into the run folder.
+  /// @return 0 if the episode came to its end.
+  int Finish();
+
+  int32_t tick() const { return tick_; }
+
+ private:
+  const RunFolder& run_;
+  bool is_hash_;
+  LogFollower follower_;
+  Narrator narrator_;
+  EpisodeObserver observer_;
+  ChannelDigests digests_;
+  Progress progress_;
+  int32_t tick_ = 0;
+};
+
+}  // namespace cell

@@ -1,0 +1,32 @@
+#include "services/cell/service_registry.h"
+
+#include "common/node/run_service.h"
+#include "services/planner/planner.h"
+#include "services/predicate_estimator/predicate_estimator.h"
+#include "services/recognizer/recognizer.h"
+#include "services/recorder/recorder.h"
+#include "services/sec_builder/sec_builder.h"
+#include "services/tracker/tracker.h"
+#include "services/vtb/vtb.h"
+
+namespace cell {
+
+std::map<std::string, ServiceFactory> AllServices(
+    const Deployment& deployment, const std::string& demonstration,
+    uint64_t seed) {
+  const auto of = [&deployment](const ServiceMaker& maker) -> ServiceFactory {
+    return [maker, deployment](Bus& bus) { return maker(bus, deployment); };
+  };
+  return {
+      {"vtb",
+       [=](Bus& bus) { return MakeVtb(bus, deployment, demonstration, seed); }},
+      {"tracker", of(MakeTracker)},
+      {"sec_builder", of(MakeSecBuilder)},
+      {"recognizer", of(MakeRecognizer)},
+      {"predicate_estimator", of(MakePredicateEstimator)},
+      {"planner", of(MakePlanner)},
+      {"recorder", of(MakeRecorder)},
+  };
+}
+
+}  // namespace cell

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "common/bus/clock_host.h"
+#include "common/config/deployment.h"
+
+namespace cell {
+
+/// Every service of the cell, built from `deployment`; the clock's does the
+/// task's script `demonstration` with `seed`. For runs in one process and for
+/// replay.
+std::map<std::string, ServiceFactory> AllServices(
+    const Deployment& deployment, const std::string& demonstration,
+    uint64_t seed);
+
+}  // namespace cell
