@@ -169,13 +169,20 @@ double PartShape::DistanceTo(const PointCloud& cloud, const Isometry3d& X_WO,
   return nearest;
 }
 
-double PartShape::LowestZ(const Isometry3d& X_WO) const {
-  const Vector3d down_O = X_WO.linear().transpose() * -Vector3d::UnitZ();
+double PartShape::Reach(const Vector3d& n_O) const {
   double reach = -std::numeric_limits<double>::infinity();
   for (const ConvexSolid& solid : solids_) {
-    reach = std::max(reach, solid.Support(down_O));
+    reach = std::max(reach, solid.Support(n_O));
   }
-  return X_WO.translation().z() - reach;
+  return reach;
+}
+
+double PartShape::LowestZ(const Isometry3d& X_WO) const {
+  return X_WO.translation().z() - Reach(-X_WO.linear().row(2).transpose());
+}
+
+double PartShape::HighestZ(const Isometry3d& X_WO) const {
+  return X_WO.translation().z() + Reach(X_WO.linear().row(2).transpose());
 }
 
 double PartShape::Slack(const Isometry3d& X_WO, const PartShape& content,
@@ -185,14 +192,17 @@ double PartShape::Slack(const Isometry3d& X_WO, const PartShape& content,
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d n_B = X_BO.linear().col(axis);
     const double offset = n_B.dot(X_BO.translation());
-    for (const ConvexSolid& solid : content.solids_) {
-      const double high = solid.Support(n_B) - offset;
-      const double low = -solid.Support(-n_B) - offset;
-      slack =
-          std::min({slack, box_.max()[axis] - high, low - box_.min()[axis]});
-    }
+    const double high = content.Reach(n_B) - offset;
+    const double low = -content.Reach(-n_B) - offset;
+    slack = std::min({slack, box_.max()[axis] - high, low - box_.min()[axis]});
   }
   return slack;
+}
+
+std::vector<PartShape> ShapesOf(const PartTable& table) {
+  std::vector<PartShape> shapes;
+  for (const Part& part : table.parts()) shapes.emplace_back(part);
+  return shapes;
 }
 
 }  // namespace cell

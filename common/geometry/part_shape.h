@@ -49,8 +49,9 @@ class PartShape {
   double DistanceTo(const PointCloud& cloud, const Eigen::Isometry3d& X_WO,
                     double cutoff, double enough = 0) const;
 
-  /// z in W of the lowest point; the table's top is z = 0.
+  /// z in W of the lowest and of the highest point; the table's top is z = 0.
   double LowestZ(const Eigen::Isometry3d& X_WO) const;
+  double HighestZ(const Eigen::Isometry3d& X_WO) const;
 
   /// By how much the part at X_WB could grow on its tightest side and still be
   /// inside this part's bounding box: negative if it sticks out.
@@ -60,9 +61,14 @@ class PartShape {
  private:
   struct Collision;
 
+  double Reach(const Eigen::Vector3d& n_O) const;
+
   std::vector<ConvexSolid> solids_;
   std::unique_ptr<Collision> collision_;
   Eigen::AlignedBox3d box_;
 };
+
+/// Shapes of all parts of the table, in its order.
+std::vector<PartShape> ShapesOf(const PartTable& table);
 
 }  // namespace cell

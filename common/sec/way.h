@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "common/geometry/part_shape.h"
+#include "common/parts/part_table.h"
+
+namespace cell {
+
+/// A round column that must be empty for something to pass, along z of its
+/// frame C.
+class Way {
+ public:
+  /// From z = low to z = high, in m.
+  Way(double radius, double low, double high);
+
+  bool IsBlockedBy(const PartShape& part, const Eigen::Isometry3d& X_WO,
+                   const Eigen::Isometry3d& X_WC) const;
+
+ private:
+  PartShape column_;
+};
+
+}  // namespace cell
