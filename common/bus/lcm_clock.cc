@@ -87,7 +87,7 @@ class LcmClock {
           tick.run != clock_.run()) {
         throw BusError(fmt::format(
             "another cell's clock is on this port (its TICK {}); give each "
-            "cell its own --port",
+            "cell its own port (--url)",
             tick.header.tick));
       }
     } else if (host_.Wants(channel) && !IsCommand(channel)) {

@@ -38,7 +38,7 @@ void LockstepNode::PutTick(const tick_t& tick) {
   if (has_joined() && tick.run != run_) {
     throw BusError(fmt::format(
         "{}: hears a second cell on this port (TICK {} of another run); give "
-        "each cell its own --port",
+        "each cell its own port (--url)",
         name_, tick.header.tick));
   }
   for (const joined_t& joined : tick.joined) {

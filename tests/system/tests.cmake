@@ -1,0 +1,1 @@
+cell_add_test(system/lcm_lockstep_test.cc LINK cell_bus Threads::Threads)

@@ -1,0 +1,1 @@
+cell_add_test(unit/purity_test.cc LINK fmt::fmt)
