@@ -153,7 +153,7 @@ Action LoadAction(const std::string& name, const Config& config,
   for (const Config& item : config["rules"].Items()) {
     action.rules.push_back(LoadRule(item, vocabulary, action.arguments));
   }
-  if (config.Has("sec")) action.sec = config["sec"];
+  if (config.Has("sec")) action.sec.emplace(config["sec"]);
   return action;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace cell {
 namespace {
@@ -145,13 +147,17 @@ std::set<std::vector<int>> Vocabulary::FactsOfParts(
 }
 
 void Vocabulary::AddPredicates(const Config& domain) {
+  // Sorted before they are made: to assign a Config changes its YAML tree.
+  std::map<std::string, Config> entries;
   for (const auto& [name, node] : domain["predicates"].Entries()) {
+    if (!entries.emplace(name, node).second) node.Fail("is there twice");
+  }
+  for (const auto& [name, node] : entries) {
     CheckIsNew(name, node);
     Predicate predicate{name, TypesOf(node["arguments"]), {}};
-    if (node.Has("geometry")) predicate.geometry = node["geometry"];
+    if (node.Has("geometry")) predicate.geometry.emplace(node["geometry"]);
     predicates_.push_back(std::move(predicate));
   }
-  std::sort(predicates_.begin(), predicates_.end(), kByName);
   for (const Predicate& predicate : predicates_) {
     first_atom_.push_back(num_atoms_);
     int64_t num = 1;

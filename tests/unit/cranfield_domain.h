@@ -1,0 +1,105 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/parts/part_table.h"
+#include "common/relational/domain.h"
+#include "services/planner/plan_search.h"
+
+namespace cell {
+
+/// The shipped task, and how a person changes its state.
+struct Cranfield {
+  Cranfield() {
+    const std::string task = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
+    const Config config = Config::Load(task + "domain.yaml");
+    domain = std::make_unique<Domain>(Domain::FromConfig(
+        config, PartTable::FromConfig(Config::Load(task + "parts.yaml"))));
+    domain->PassOverGeometry();
+    domain->PassOverSec();
+    config.Finish();
+  }
+
+  PlanSearch Search() const {
+    return PlanSearch(*domain, *domain->FindGoal("assembled"), {});
+  }
+
+  int Atom(const std::string& name) const {
+    for (int i = 0; i < domain->vocabulary().num_atoms(); ++i) {
+      if (domain->vocabulary().AtomName(i) == name) return i;
+    }
+    ADD_FAILURE() << "no atom " << name;
+    return 0;
+  }
+
+  /// All parts stand clear on the table, all holes are free.
+  State Start() const {
+    const Vocabulary& v = domain->vocabulary();
+    State state(v.num_atoms());
+    for (int i = 0; i < v.num_atoms(); ++i) {
+      const std::string& name = v.predicates()[v.Atom(i).predicate].name;
+      if (name == "Clear" || name == "Free") state.Set(i, Truth::kTrue);
+    }
+    return state;
+  }
+
+  State With(State state, const std::vector<std::string>& atoms,
+             Truth truth = Truth::kTrue) const {
+    for (const std::string& name : atoms) state.Set(Atom(name), truth);
+    return state;
+  }
+
+  std::vector<Cover> Covers(const GroundAction& action,
+                            const State& state) const {
+    return CoversOf(domain->actions()[action.action], action.arguments, state,
+                    domain->vocabulary());
+  }
+
+  /// The state after the action succeeds.
+  State Do(const State& state, const GroundAction& action) const {
+    const auto covers = Covers(action, state);
+    if (covers.size() != 1) {
+      ADD_FAILURE() << domain->Show(action) << " is covered by "
+                    << covers.size() << " rules";
+      return state;
+    }
+    const NdrRule& rule =
+        domain->actions()[action.action].rules[covers[0].rule];
+    return After(rule.outcomes[0], covers[0].binding, state,
+                 domain->vocabulary());
+  }
+  State Do(const State& state, const std::string& action,
+           const std::vector<std::string>& objects) const {
+    return Do(state, domain->FindGroundAction(action, objects).value());
+  }
+
+  /// Placing actions that can be done now.
+  std::vector<GroundAction> Placements(const State& state) const {
+    std::vector<GroundAction> found;
+    for (const GroundAction& a : domain->GroundActions(Agent::kRobot)) {
+      if (!Covers(a, state).empty()) found.push_back(a);
+    }
+    return found;
+  }
+
+  /// A valid order of all nine placements.
+  std::vector<GroundAction> RandomOrder(std::mt19937_64& random) const {
+    std::vector<GroundAction> order;
+    State state = Start();
+    for (auto all = Placements(state); !all.empty(); all = Placements(state)) {
+      order.push_back(all[random() % all.size()]);
+      state = Do(state, order.back());
+    }
+    return order;
+  }
+
+  std::unique_ptr<Domain> domain;
+};
+
+}  // namespace cell
