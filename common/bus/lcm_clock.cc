@@ -74,6 +74,8 @@ class LcmClock {
       AwaitAcks();
     }
     summary_.num_ticks = clock_.tick() + 1;
+    summary_.elapsed_s =
+        std::chrono::duration<double>(steady_clock::now() - start).count();
     summary_.num_refused += host_.num_refused();
     return summary_;
   }

@@ -18,6 +18,7 @@ struct LcmClockOptions {
 /// What a run of the clock came to.
 struct LcmClockSummary {
   int32_t num_ticks = 0;
+  double elapsed_s = 0;        ///< from the first tick on
   int64_t num_repeats = 0;     ///< TICKs sent again
   int64_t num_late_ticks = 0;  ///< of a run in real time
   int64_t num_refused = 0;     ///< HELLOs, ACKs and commands

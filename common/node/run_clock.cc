@@ -51,9 +51,9 @@ int RunClock(const std::string& name, int argc, char** argv,
         },
         options, StopOnSignals());
     std::cerr << fmt::format(
-        "{}: {} ticks, {} TICKs repeated, {} late, {} refused\n", name,
-        summary.num_ticks, summary.num_repeats, summary.num_late_ticks,
-        summary.num_refused);
+        "{}: {} ticks in {:.3f} s, {} TICKs repeated, {} late, {} refused\n",
+        name, summary.num_ticks, summary.elapsed_s, summary.num_repeats,
+        summary.num_late_ticks, summary.num_refused);
     return 0;
   } catch (const std::exception& e) {
     std::cerr << name << ": " << e.what() << std::endl;

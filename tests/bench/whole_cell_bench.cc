@@ -1,0 +1,122 @@
+// The whole cell beside bare mj_step on the same scene, in the same run.
+// Example: whole_cell_bench SCRATCH_DIR
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "common/bus/process_usage.h"
+#include "common/bus/sim_bus.h"
+#include "common/node/run_service.h"
+#include "services/cell/service_registry.h"
+
+namespace cell {
+namespace {
+
+constexpr uint64_t kSeed = 500;
+constexpr char kScript[] = "assembly";
+
+double Now() {
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+struct Timing {
+  double wall_s = 0;
+  double sim_s = 0;
+};
+
+Timing Run(const Roster& roster, const Deployment& deployment) {
+  SimBus bus(roster, AllServices(deployment, kScript, kSeed));
+  const double start = Now();
+  while (bus.Step()) {
+  }
+  return {Now() - start, bus.last_tick().header.tick * kTickUs * 1e-6};
+}
+
+// Seconds that mj_step itself took: MuJoCo keeps them in its data as soon as it
+// has a clock, and hands the data to this callback in every step.
+double g_step_s = 0;
+
+double BareStepSeconds(const Roster& roster, const Deployment& deployment) {
+  Roster alone = roster;
+  alone.entries.resize(1);
+  mjcb_time = Now;
+  mjcb_passive = [](const mjModel*, mjData* data) {
+    g_step_s = data->timer[mjTIMER_STEP].duration;
+  };
+  Run(alone, deployment);
+  mjcb_time = nullptr;
+  mjcb_passive = nullptr;
+  return g_step_s;
+}
+
+// The clock's own account of a run over LCM, in the last line that it said.
+double LcmSeconds(const std::filesystem::path& run) {
+  const auto bin =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string command =
+      fmt::format("{} demo --hash --seed {} --demonstration {} --out {} "
+                  "> /dev/null",
+                  (bin / "cell").string(), kSeed, kScript, run.string());
+  if (std::system(command.c_str()) != 0) {
+    throw std::runtime_error("cell demo failed; see " + run.string());
+  }
+  std::ifstream file(run / "vtb.out");
+  std::string line;
+  std::string last;
+  while (std::getline(file, line)) last = line;
+  const size_t at = last.find(" ticks in ");
+  if (at == std::string::npos) {
+    throw std::runtime_error("no tick count in " + (run / "vtb.out").string());
+  }
+  return std::stod(last.substr(at + 10));
+}
+
+void Print(const char* what, double wall_s, double sim_s, double bare_s) {
+  std::cout << fmt::format("{:34} {:7.2f} s  {:6.1f} x real time  {:5.2f} of "
+                           "bare mj_step's speed\n",
+                           what, wall_s, sim_s / wall_s, bare_s / wall_s);
+}
+
+int Main(const std::filesystem::path& scratch) {
+  const CellFiles files = FindCellFiles("");
+  const double bare_s = BareStepSeconds(files.roster, files.deployment);
+  Roster alone = files.roster;
+  alone.entries.resize(1);
+  const Timing world = Run(alone, files.deployment);
+  Deployment recorded = files.deployment;
+  recorded.run_dir = scratch / "sim";
+  std::filesystem::create_directories(recorded.run_dir);
+  const Timing sim = Run(files.roster, recorded);
+  const double lcm_s = LcmSeconds(scratch / "lcm");
+  Print("bare mj_step", bare_s, world.sim_s, bare_s);
+  Print("vtb alone, one process", world.wall_s, world.sim_s, bare_s);
+  Print("whole cell, one process", sim.wall_s, sim.sim_s, bare_s);
+  Print("whole cell, lockstep over LCM", lcm_s, sim.sim_s, bare_s);
+  std::cout << fmt::format("resident memory of the one process: {} MB\n",
+                           UsageOfThisProcess().resident_bytes >> 20);
+  return 0;
+}
+
+}  // namespace
+}  // namespace cell
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: whole_cell_bench SCRATCH_DIR\n";
+    return 2;
+  }
+  try {
+    return cell::Main(argv[1]);
+  } catch (const std::exception& e) {
+    std::cerr << "whole_cell_bench: " << e.what() << std::endl;
+    return 1;
+  }
+}
