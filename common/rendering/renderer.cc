@@ -1,0 +1,232 @@
+#include "common/rendering/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "common/rendering/posed_scene.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kWidth = 16;  // rays of a packet
+constexpr float kNear = 1e-3F;
+constexpr float kShadowOffset = 1e-4F;  // [m] off the surface
+constexpr float kAmbient = 0.30F;
+
+struct Light {
+  Vector3f towards_C;
+  float power;
+};
+
+/// What a sample sees.
+struct Sample {
+  int32_t body = RenderImage::kNobody;
+  float depth = 0;
+  Vector3f colour = Vector3f::Zero();  // linear
+};
+
+using Samples = std::array<Sample, kWidth>;
+
+/// From the camera through first_column + 0, 1, ..., 15 of the row.
+RTCRayHit16 RaysThrough(const Camera& camera, double first_column, double row) {
+  RTCRayHit16 rays;
+  for (int i = 0; i < kWidth; ++i) {
+    rays.ray.org_x[i] = rays.ray.org_y[i] = rays.ray.org_z[i] = 0;
+    rays.ray.dir_x[i] =
+        static_cast<float>((first_column + i - camera.cx) / camera.fx);
+    rays.ray.dir_y[i] = static_cast<float>((row - camera.cy) / camera.fy);
+    rays.ray.dir_z[i] = 1;  // so that a ray's parameter is the depth
+    rays.ray.tnear[i] = kNear;
+    rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.ray.time[i] = 0;
+    rays.ray.mask[i] = ~0U;
+    rays.ray.id[i] = rays.ray.flags[i] = 0;
+    rays.hit.geomID[i] = rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  return rays;
+}
+
+class RowRenderer {
+ public:
+  RowRenderer(const RenderScene& scene, const RenderScene::Posed& posed,
+              const Camera& camera, const RenderParams& params)
+      : bodies_(scene.bodies()),
+        posed_(posed),
+        camera_(camera),
+        params_(params) {
+    const Eigen::Matrix3d R_CW = camera.X_WC.linear().transpose();
+    const auto add = [&](const Eigen::Vector3d& towards_W, float power) {
+      lights_.push_back({(R_CW * towards_W.normalized()).cast<float>(), power});
+    };
+    add({-0.35, -0.45, 1.0}, 0.62F);  // the lamp above the person's shoulder
+    add({0.80, 0.35, 0.45}, 0.25F);   // the window on the other side
+  }
+
+  /// Samples at (first_column + i, row), the first `num` of them.
+  Samples Look(double first_column, double row, int num) const {
+    alignas(64) int valid[kWidth];
+    for (int i = 0; i < kWidth; ++i) valid[i] = i < num ? -1 : 0;
+    alignas(64) RTCRayHit16 rays = RaysThrough(camera_, first_column, row);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, posed_.scene.get(), &context, &rays);
+
+    Samples samples;
+    std::array<Vector3f, kWidth> normals;
+    for (int i = 0; i < kWidth; ++i) {
+      Sample& sample = samples[Slot(i)];
+      sample.colour = ToVector(params_.background);
+      valid[i] =
+          i < num && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? -1 : 0;
+      if (valid[i] == 0) continue;
+      sample.body = static_cast<int32_t>(rays.hit.instID[0][i]);
+      sample.depth = rays.ray.tfar[i];
+      normals[Slot(i)] = NormalOf(rays, i, sample.body);
+    }
+    Shade(rays, valid, normals, samples);
+    return samples;
+  }
+
+ private:
+  static size_t Slot(int i) { return static_cast<size_t>(i); }
+  static Vector3f ToVector(const std::array<double, 3>& colour) {
+    return Eigen::Vector3d(colour[0], colour[1], colour[2]).cast<float>();
+  }
+
+  /// Unit normal in C towards the camera.
+  Vector3f NormalOf(const RTCRayHit16& rays, int i, int32_t body) const {
+    const Vector3f normal_O(rays.hit.Ng_x[i], rays.hit.Ng_y[i],
+                            rays.hit.Ng_z[i]);
+    const Vector3f normal =
+        (posed_.X_CO[static_cast<size_t>(body)].linear() * normal_O)
+            .normalized();
+    const Vector3f ahead(rays.ray.dir_x[i], rays.ray.dir_y[i],
+                         rays.ray.dir_z[i]);
+    return normal.dot(ahead) > 0 ? Vector3f(-normal) : normal;
+  }
+
+  void Shade(const RTCRayHit16& rays, const int* valid,
+             const std::array<Vector3f, kWidth>& normals,
+             Samples& samples) const {
+    std::array<float, kWidth> brightness;
+    brightness.fill(kAmbient);
+    for (const Light& light : lights_) {
+      const auto lit = IsLit(rays, valid, normals, samples, light);
+      for (int i = 0; i < kWidth; ++i) {
+        if (valid[i] == 0 || !lit[Slot(i)]) continue;
+        const float cosine = normals[Slot(i)].dot(light.towards_C);
+        brightness[Slot(i)] += light.power * std::max(0.F, cosine);
+      }
+    }
+    for (int i = 0; i < kWidth; ++i) {
+      if (valid[i] == 0) continue;
+      Sample& sample = samples[Slot(i)];
+      const RenderBody& body = bodies_[static_cast<size_t>(sample.body)];
+      sample.colour = ToVector(body.colour) * brightness[Slot(i)];
+    }
+  }
+
+  std::array<bool, kWidth> IsLit(const RTCRayHit16& rays, const int* valid,
+                                 const std::array<Vector3f, kWidth>& normals,
+                                 const Samples& samples,
+                                 const Light& light) const {
+    std::array<bool, kWidth> is_lit;
+    is_lit.fill(true);
+    if (!params_.has_shadows) return is_lit;
+    alignas(64) RTCRay16 shadow = rays.ray;
+    for (int i = 0; i < kWidth; ++i) {
+      const float depth = samples[Slot(i)].depth;
+      const Vector3f start =
+          depth * Vector3f(rays.ray.dir_x[i], rays.ray.dir_y[i], 1) +
+          (valid[i] == 0 ? Vector3f::Zero().eval()
+                         : Vector3f(kShadowOffset * normals[Slot(i)]));
+      shadow.org_x[i] = start.x();
+      shadow.org_y[i] = start.y();
+      shadow.org_z[i] = start.z();
+      shadow.dir_x[i] = light.towards_C.x();
+      shadow.dir_y[i] = light.towards_C.y();
+      shadow.dir_z[i] = light.towards_C.z();
+      shadow.tnear[i] = 0;
+      shadow.tfar[i] = std::numeric_limits<float>::infinity();
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded16(valid, posed_.scene.get(), &context, &shadow);
+    for (int i = 0; i < kWidth; ++i) is_lit[Slot(i)] = shadow.tfar[i] >= 0;
+    return is_lit;
+  }
+
+  const std::vector<RenderBody>& bodies_;
+  const RenderScene::Posed& posed_;
+  const Camera& camera_;
+  const RenderParams& params_;
+  std::vector<Light> lights_;
+};
+
+std::array<uint8_t, 3> ToSrgb(const Vector3f& linear) {
+  std::array<uint8_t, 3> pixel{};
+  for (int i = 0; i < 3; ++i) {
+    const float value = std::clamp(linear[i], 0.F, 1.F);
+    pixel[static_cast<size_t>(i)] =
+        static_cast<uint8_t>(std::lround(255 * std::pow(value, 1 / 2.2F)));
+  }
+  return pixel;
+}
+
+}  // namespace
+
+RenderImage EmptyImage(const Camera& camera) {
+  const size_t size =
+      static_cast<size_t>(camera.width) * static_cast<size_t>(camera.height);
+  RenderImage image;
+  image.colour = {camera.width, camera.height, {}};
+  image.colour.pixels.resize(size);
+  image.depth.resize(size);
+  image.body_id.resize(size, RenderImage::kNobody);
+  return image;
+}
+
+void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
+                const Camera& camera, const RenderParams& params, int first,
+                int last, RenderImage& image) {
+  const RowRenderer renderer(scene, posed, camera, params);
+  const int side = params.samples_per_side;
+  for (int row = first; row < last; ++row) {
+    for (int column = 0; column < camera.width; column += kWidth) {
+      const int num = std::min(kWidth, camera.width - column);
+      const Samples centres = renderer.Look(column, row, num);
+      std::array<Vector3f, kWidth> colours;
+      colours.fill(Vector3f::Zero());
+      for (int k = 0; k < side * side; ++k) {
+        const double x = column + (k % side + 0.5) / side - 0.5;
+        const double y = row + (k / side + 0.5) / side - 0.5;
+        const Samples samples = side == 1 ? centres : renderer.Look(x, y, num);
+        for (size_t i = 0; i < kWidth; ++i) colours[i] += samples[i].colour;
+      }
+      for (int i = 0; i < num; ++i) {
+        const size_t index = image.Index(column + i, row);
+        const auto slot = static_cast<size_t>(i);
+        image.colour.pixels[index] =
+            ToSrgb(colours[slot] / static_cast<float>(side * side));
+        image.depth[index] = centres[slot].depth;
+        image.body_id[index] = centres[slot].body;
+      }
+    }
+  }
+}
+
+RenderImage Render(const RenderScene& scene,
+                   const std::map<std::string, Eigen::Isometry3d>& X_WO,
+                   const Camera& camera, const RenderParams& params) {
+  RenderImage image = EmptyImage(camera);
+  const auto posed = scene.Pose(X_WO, camera.X_WC);
+  RenderRows(scene, *posed, camera, params, 0, camera.height, image);
+  return image;
+}
+
+}  // namespace cell

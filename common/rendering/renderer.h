@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <map>
+#include <string>
+
+#include "common/rendering/camera.h"
+#include "common/rendering/render_image.h"
+#include "common/rendering/render_scene.h"
+
+namespace cell {
+
+struct RenderParams {
+  /// The colour of a pixel is the mean of so many squared samples.
+  int samples_per_side = 1;
+  bool has_shadows = true;
+  std::array<double, 3> background = {0.70, 0.74, 0.78};  ///< linear
+};
+
+/// Renders bodies at their poses under two distant lights (Lambert). Depth and
+/// ids are those of the pixels' centres.
+RenderImage Render(const RenderScene& scene,
+                   const std::map<std::string, Eigen::Isometry3d>& X_WO,
+                   const Camera& camera, const RenderParams& params = {});
+
+/// The rows first <= row < last of an image whose fields have their sizes.
+/// Calls for other rows of the same image may run at the same time.
+void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
+                const Camera& camera, const RenderParams& params, int first,
+                int last, RenderImage& image);
+
+/// An image in which nothing is.
+RenderImage EmptyImage(const Camera& camera);
+
+}  // namespace cell
