@@ -1,0 +1,8 @@
+// predicate_estimator: says which predicates of the task are true now.
+#include "common/node/run_service.h"
+#include "services/predicate_estimator/predicate_estimator.h"
+
+int main(int argc, char** argv) {
+  return cell::RunService("predicate_estimator", argc, argv,
+                          cell::MakePredicateEstimator);
+}

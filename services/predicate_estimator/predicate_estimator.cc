@@ -1,0 +1,90 @@
+#include "services/predicate_estimator/predicate_estimator.h"
+
+#include <utility>
+
+#include "cell/predicates_t.hpp"
+#include "common/parts/cell_layout.h"
+#include "common/relational/domain.h"
+#include "common/sec/key_frame.h"
+#include "common/sec/scene.h"
+
+namespace cell {
+namespace {
+
+predicates_t ToMessage(const State& state, const Vocabulary& vocabulary,
+                       const KeyFrame& frame) {
+  predicates_t message{};
+  message.header.utime = frame.utime;
+  message.key_frame = frame.index;
+  for (int index = 0; index < state.num_atoms(); ++index) {
+    const GroundAtom atom = vocabulary.Atom(index);
+    literal_t& literal = message.literals.emplace_back();
+    literal.predicate =
+        vocabulary.predicates()[static_cast<size_t>(atom.predicate)].name;
+    for (const int object : atom.objects) {
+      literal.arguments.push_back(
+          vocabulary.objects()[static_cast<size_t>(object)].name);
+    }
+    literal.num_arguments = static_cast<int32_t>(literal.arguments.size());
+    literal.value = static_cast<int8_t>(state.Get(index));
+  }
+  message.num_literals = static_cast<int32_t>(message.literals.size());
+  return message;
+}
+
+}  // namespace
+
+PredicateEstimator::PredicateEstimator(Bus& bus, const Params& params)
+    : bus_(bus), params_(params) {
+  bus.Subscribe<episode_t>("EPISODE",
+                           [this](const episode_t& m) { return OnEpisode(m); });
+  bus.Subscribe<key_frame_t>(
+      "KEY_FRAME", [this](const key_frame_t& m) { return OnKeyFrame(m); });
+  bus.Subscribe<tracks_t>("TRACKS",
+                          [this](const tracks_t& m) { return OnTracks(m); });
+}
+
+bool PredicateEstimator::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::START) {
+    tracks_.reset();
+    start_utime_ = message.header.utime;
+  }
+  return message.phase == episode_t::START || message.phase == episode_t::END;
+}
+
+bool PredicateEstimator::OnTracks(const tracks_t& message) {
+  auto tracks = TracksFromMessage(message, params_.cast);
+  if (!tracks) return false;
+  tracks_ = *std::move(tracks);
+  return true;
+}
+
+bool PredicateEstimator::OnKeyFrame(const key_frame_t& message) {
+  const auto frame = KeyFrameFromMessage(message, params_.cast);
+  if (!frame) return false;
+  if (frame->utime < start_utime_) return true;  // of the episode before
+  const Scene scene = SceneOf(*frame, tracks_.value_or(Tracks{}), params_.cast);
+  bus_.Publish("PREDICATES", ToMessage(params_.sensor->Sense(scene),
+                                       params_.vocabulary, *frame));
+  return true;
+}
+
+std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
+                                                const Deployment& deployment) {
+  const PartTable parts =
+      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const CellLayout layout =
+      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  const Config domain_config = deployment.OfTask("domain.yaml");
+  const Domain domain = Domain::FromConfig(domain_config, parts);
+  domain.PassOverSec();
+  const PredicateEstimator::Params params{
+      Cast(parts, layout), domain.vocabulary(),
+      std::make_shared<const PredicateSensor>(domain.vocabulary(), parts,
+                                              layout.workspace, domain_config)};
+  domain_config.Finish();
+  deployment.ForService("predicate_estimator").Finish();
+  return std::make_unique<PredicateEstimator>(bus, params);
+}
+
+}  // namespace cell

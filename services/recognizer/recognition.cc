@@ -1,0 +1,170 @@
+#include "services/recognizer/recognition.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/sec/scene.h"
+#include "common/sec/seat.h"
+
+namespace cell {
+
+using Eigen::Isometry3d;
+
+Recognition::Recognition(const Cast& cast, const PartTable& parts,
+                         std::shared_ptr<const Gallery> gallery,
+                         std::shared_ptr<const PredicateSensor> sensor,
+                         const Params& params)
+    : cast_(cast),
+      parts_(parts),
+      gallery_(std::move(gallery)),
+      sensor_(std::move(sensor)),
+      params_(params) {}
+
+std::vector<RecognisedAction> Recognition::Update(const KeyFrame& frame) {
+  const auto now = std::make_shared<const SensedFrame>(
+      SensedFrame{frame, sensor_->Sense(SceneOf(frame, cast_))});
+  std::vector<Manipulation> placed;
+  UpdateHeld(now, placed);
+  std::vector<RecognisedAction> actions;
+  std::vector<Manipulation> unnamed;
+  for (Manipulation& manipulation : placed) {
+    const auto completed = manipulation.CompletedBy(*now);
+    for (const Manipulation::Hypothesis& hypothesis : completed) {
+      actions.push_back(Report(manipulation, &hypothesis, *now));
+    }
+    if (completed.empty() && WasMoved(manipulation, *now)) {
+      unnamed.push_back(std::move(manipulation));
+    }
+  }
+  for (size_t i = 0; i < unnamed.size(); ++i) {
+    const bool carried_by_another =
+        std::any_of(unnamed.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                    unnamed.end(), [&](const Manipulation& other) {
+                      return Rode(unnamed[i].part(), other.part(),
+                                  unnamed[i].before(), *now);
+                    });
+    if (carried_by_another || WasCarriedAlong(unnamed[i], *now)) continue;
+    actions.push_back(Report(unnamed[i], nullptr, *now));
+  }
+  previous_ = now;
+  return actions;
+}
+
+std::vector<std::string> Recognition::HandsOn(const std::string& part,
+                                              const TouchGraph& graph) const {
+  std::vector<std::string> hands;
+  for (const std::string& hand : cast_.hands()) {
+    if (Touch(graph, part, hand)) hands.push_back(hand);
+  }
+  return hands;
+}
+
+// Those placed come in an order in which who may have been carried stands
+// before who may have carried him: picked up later, or lying higher.
+void Recognition::UpdateHeld(const std::shared_ptr<const SensedFrame>& now,
+                             std::vector<Manipulation>& placed) {
+  const KeyFrame& frame = now->frame;
+  for (const std::string& part : cast_.parts()) {
+    const auto hands = HandsOn(part, frame.relations);
+    auto it = manipulations_.find(part);
+    if (it == manipulations_.end() && !hands.empty()) {
+      it = manipulations_
+               .emplace(part,
+                        Manipulation(*gallery_, part, frame.index, frame.utime,
+                                     previous_ ? previous_ : now))
+               .first;
+    }
+    if (it == manipulations_.end()) continue;
+    for (const std::string& hand : hands) it->second.AddHand(hand);
+    if (!hands.empty()) continue;
+    placed.push_back(std::move(it->second));
+    manipulations_.erase(it);
+  }
+  const auto height = [&](const Manipulation& manipulation) {
+    const auto pose = frame.poses.find(manipulation.part());
+    return pose == frame.poses.end() ? 0 : pose->second.translation().z();
+  };
+  std::stable_sort(placed.begin(), placed.end(),
+                   [&](const Manipulation& a, const Manipulation& b) {
+                     if (a.pick_index() != b.pick_index()) {
+                       return a.pick_index() > b.pick_index();
+                     }
+                     return height(a) > height(b);
+                   });
+}
+
+bool Recognition::WasMoved(const Manipulation& manipulation,
+                           const SensedFrame& after) const {
+  const auto& poses = manipulation.before().frame.poses;
+  const auto from = poses.find(manipulation.part());
+  const auto to = after.frame.poses.find(manipulation.part());
+  if (from == poses.end() || to == after.frame.poses.end()) return false;
+  const Isometry3d X_from_to = from->second.inverse() * to->second;
+  const Part* part = parts_.Find(manipulation.part());
+  return X_from_to.translation().norm() > params_.moved ||
+         VisibleAngle(X_from_to, part->symmetry_order) > params_.turned;
+}
+
+bool Recognition::WasCarriedAlong(const Manipulation& manipulation,
+                                  const SensedFrame& after) const {
+  return std::any_of(cast_.parts().begin(), cast_.parts().end(),
+                     [&](const std::string& other) {
+                       return other != manipulation.part() &&
+                              WasHeldSince(other, manipulation.pick_index()) &&
+                              Rode(manipulation.part(), other,
+                                   manipulation.before(), after);
+                     });
+}
+
+bool Recognition::WasHeldSince(const std::string& part, int64_t index) const {
+  const auto placed = last_placed_.find(part);
+  return manipulations_.contains(part) ||
+         (placed != last_placed_.end() && placed->second >= index);
+}
+
+// It touched the carrier before and after, and lies on it as it did.
+bool Recognition::Rode(const std::string& part, const std::string& carrier,
+                       const SensedFrame& before,
+                       const SensedFrame& after) const {
+  Isometry3d X_CP[2];
+  for (const SensedFrame* sensed : {&before, &after}) {
+    const auto& poses = sensed->frame.poses;
+    const auto of_part = poses.find(part);
+    const auto of_carrier = poses.find(carrier);
+    if (of_part == poses.end() || of_carrier == poses.end() ||
+        !Touch(sensed->frame.relations, part, carrier)) {
+      return false;
+    }
+    X_CP[sensed == &after] = of_carrier->second.inverse() * of_part->second;
+  }
+  const Isometry3d change = X_CP[0].inverse() * X_CP[1];
+  return change.translation().norm() <= params_.moved &&
+         VisibleAngle(change, parts_.Find(part)->symmetry_order) <=
+             params_.turned;
+}
+
+RecognisedAction Recognition::Report(const Manipulation& manipulation,
+                                     const Manipulation::Hypothesis* hypothesis,
+                                     const SensedFrame& after) {
+  last_placed_[manipulation.part()] = after.frame.index;
+  RecognisedAction action;
+  if (hypothesis) {
+    const Domain& domain = gallery_->domain();
+    action.reading = hypothesis->reading;
+    action.name =
+        domain.actions()[static_cast<size_t>(hypothesis->entry->action)].name;
+    for (const int object : hypothesis->binding) {
+      action.arguments.push_back(
+          domain.vocabulary().objects()[static_cast<size_t>(object)].name);
+    }
+  }
+  action.part = manipulation.part();
+  action.hands.assign(manipulation.hands().begin(), manipulation.hands().end());
+  action.pick_utime = manipulation.pick_utime();
+  action.pick_key_frame = manipulation.pick_index();
+  action.place_utime = after.frame.utime;
+  action.place_key_frame = after.frame.index;
+  return action;
+}
+
+}  // namespace cell

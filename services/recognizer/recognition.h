@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/sec/cast.h"
+#include "common/sec/predicate_sensor.h"
+#include "services/recognizer/gallery.h"
+#include "services/recognizer/manipulation.h"
+
+namespace cell {
+
+/// A manipulation that was recognised.
+struct RecognisedAction {
+  Reading reading = Reading::kUnknown;
+  std::string name;                    ///< empty if unknown
+  std::vector<std::string> arguments;  ///< in the action's order
+  std::string part;                    ///< what was moved
+  std::vector<std::string> hands;      ///< that held it, sorted
+  int64_t pick_utime = 0;
+  int64_t pick_key_frame = 0;
+  int64_t place_utime = 0;
+  int64_t place_key_frame = 0;
+};
+
+/// Finds manipulations in an unsegmented stream of key frames (section VII-A):
+/// a part is picked up when the first hand touches it and placed when the last
+/// one leaves it. What the two key frames agree with is recognised, forward or
+/// reversed; a part that was moved otherwise is an unknown manipulation; one
+/// that was only touched, or carried along by another, is none.
+class Recognition {
+ public:
+  struct Params {
+    double moved = 0.010;   ///< [m] further: the part was moved
+    double turned = 0.175;  ///< [rad] more: it was moved; up to its symmetry
+  };
+
+  Recognition(const Cast& cast, const PartTable& parts,
+              std::shared_ptr<const Gallery> gallery,
+              std::shared_ptr<const PredicateSensor> sensor,
+              const Params& params);
+
+  /// @pre frames come in their order.
+  std::vector<RecognisedAction> Update(const KeyFrame& frame);
+
+  /// Of parts that are in somebody's hands now.
+  const std::map<std::string, Manipulation>& manipulations() const {
+    return manipulations_;
+  }
+
+ private:
+  std::vector<std::string> HandsOn(const std::string& part,
+                                   const TouchGraph& graph) const;
+  void UpdateHeld(const std::shared_ptr<const SensedFrame>& now,
+                  std::vector<Manipulation>& placed);
+  bool WasMoved(const Manipulation& manipulation,
+                const SensedFrame& after) const;
+  bool WasCarriedAlong(const Manipulation& manipulation,
+                       const SensedFrame& after) const;
+  bool WasHeldSince(const std::string& part, int64_t index) const;
+  bool Rode(const std::string& part, const std::string& carrier,
+            const SensedFrame& before, const SensedFrame& after) const;
+  RecognisedAction Report(const Manipulation& manipulation,
+                          const Manipulation::Hypothesis* hypothesis,
+                          const SensedFrame& after);
+
+  Cast cast_;
+  PartTable parts_;
+  std::shared_ptr<const Gallery> gallery_;
+  std::shared_ptr<const PredicateSensor> sensor_;
+  Params params_;
+  std::shared_ptr<const SensedFrame> previous_;
+  std::map<std::string, Manipulation> manipulations_;  // by part
+  std::map<std::string, int64_t> last_placed_;  // key frame, of those reported
+};
+
+}  // namespace cell

@@ -1,0 +1,113 @@
+#include "services/sec_builder/event_chain.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cell {
+
+EventChain::EventChain(const Cast& cast, const Params& params)
+    : cast_(cast), params_(params) {
+  const auto& names = cast_.names();
+  for (size_t i = 0; i < names.size(); ++i) {
+    for (size_t j = i + 1; j < names.size(); ++j) {
+      pairs_.emplace(ObjectPair{names[i], names[j]}, PairFilter(params.pair));
+    }
+  }
+}
+
+std::vector<KeyFrame> EventChain::Update(const Tracks& tracks,
+                                         const Proximities& proximities) {
+  NoteWhoIsThere(tracks);
+  if (!first_utime_) {
+    first_utime_ = tracks.utime;
+    for (const auto& [pair, proximity] : proximities) {
+      pairs_.at(pair).Start(proximity);
+    }
+  }
+  UpdatePairs(tracks.utime, proximities);
+  ++num_frames_;
+  std::vector<KeyFrame> frames;
+  if (num_frames_ < params_.pair.confirm_frames) return frames;
+  if (next_index_ == 0) {
+    changes_.clear();
+    for (const auto& [pair, filter] : pairs_) graph_[pair] = filter.relation();
+    frames.push_back(MakeKeyFrame(*first_utime_, tracks));
+    return frames;
+  }
+  while (!changes_.empty()) {
+    const int64_t window_end = changes_.front().onset + params_.merge_us;
+    if (IsOpen(tracks.utime, window_end)) break;
+    if (auto frame = NextKeyFrame(tracks)) frames.push_back(*std::move(frame));
+  }
+  return frames;
+}
+
+void EventChain::NoteWhoIsThere(const Tracks& tracks) {
+  for (const Track& track : tracks.tracks) {
+    if (track.state != Track::State::kLost) {
+      last_seen_[track.name] = tracks.utime;
+    }
+  }
+  last_seen_[Cast::kTable] = tracks.utime;
+}
+
+bool EventChain::IsGone(const std::string& name, int64_t utime) const {
+  const auto it = last_seen_.find(name);
+  return it == last_seen_.end() || utime - it->second >= params_.absent_us;
+}
+
+void EventChain::UpdatePairs(int64_t utime, const Proximities& proximities) {
+  for (auto& [pair, filter] : pairs_) {
+    std::optional<PairFilter::Change> change;
+    const auto proximity = proximities.find(pair);
+    if (IsGone(pair.first, utime) || IsGone(pair.second, utime)) {
+      change = filter.Lose(utime);
+    } else if (proximity != proximities.end()) {
+      change = filter.See(utime, proximity->second);
+    } else {
+      filter.Hide();
+    }
+    if (change) changes_.push_back({change->onset, pair, change->relation});
+  }
+  std::stable_sort(
+      changes_.begin(), changes_.end(),
+      [](const Change& a, const Change& b) { return a.onset < b.onset; });
+}
+
+// True while a change that began by `window_end` may still come to be known.
+bool EventChain::IsOpen(int64_t utime, int64_t window_end) const {
+  return utime < window_end ||
+         std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
+           const auto since = entry.second.pending_since();
+           return since && *since <= window_end;
+         });
+}
+
+// Nothing if the changes cancel out.
+std::optional<KeyFrame> EventChain::NextKeyFrame(const Tracks& tracks) {
+  const int64_t onset = changes_.front().onset;
+  const auto end =
+      std::find_if(changes_.begin(), changes_.end(), [&](const Change& change) {
+        return change.onset > onset + params_.merge_us;
+      });
+  TouchGraph graph = graph_;
+  std::for_each(changes_.begin(), end, [&](const Change& change) {
+    graph[change.pair] = change.relation;
+  });
+  changes_.erase(changes_.begin(), end);
+  if (graph == graph_) return std::nullopt;
+  graph_ = std::move(graph);
+  return MakeKeyFrame(onset, tracks);
+}
+
+KeyFrame EventChain::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
+  KeyFrame frame{utime, next_index_++, graph_, {}};
+  for (const Track& track : tracks.tracks) {
+    if (cast_.IsPart(track.name) && track.state != Track::State::kLost) {
+      frame.poses.emplace(track.name, track.X_WO);
+    }
+  }
+  return frame;
+}
+
+}  // namespace cell

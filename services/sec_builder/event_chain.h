@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/sec/cast.h"
+#include "common/sec/key_frame.h"
+#include "common/sec/track.h"
+#include "services/sec_builder/pair_filter.h"
+#include "services/sec_builder/proximity.h"
+
+namespace cell {
+
+/// Condenses a stream of scenes into key frames, one per lasting change of
+/// topology (section V-B). Changes that begin together are one key frame; it
+/// is dated back to the first of them and comes as soon as none that belongs to
+/// it can still be confirmed.
+class EventChain {
+ public:
+  struct Params {
+    PairFilter::Params pair;
+    int64_t merge_us = 150'000;     ///< changes so near in time are one
+    int64_t absent_us = 1'000'000;  ///< without a track for so long: gone
+  };
+
+  EventChain(const Cast& cast, const Params& params);
+
+  /// Takes the tracks and what was measured of them. Key frame 0 is the
+  /// topology of the first scene, in frame `confirm_frames`.
+  /// @pre tracks are later than the last ones.
+  std::vector<KeyFrame> Update(const Tracks& tracks,
+                               const Proximities& proximities);
+
+ private:
+  struct Change {
+    int64_t onset;
+    ObjectPair pair;
+    Relation relation;
+  };
+
+  void NoteWhoIsThere(const Tracks& tracks);
+  bool IsGone(const std::string& name, int64_t utime) const;
+  void UpdatePairs(int64_t utime, const Proximities& proximities);
+  bool IsOpen(int64_t utime, int64_t window_end) const;
+  std::optional<KeyFrame> NextKeyFrame(const Tracks& tracks);
+  KeyFrame MakeKeyFrame(int64_t utime, const Tracks& tracks);
+
+  Cast cast_;
+  Params params_;
+  std::map<ObjectPair, PairFilter> pairs_;
+  std::map<std::string, int64_t> last_seen_;
+  std::vector<Change> changes_;  // confirmed, not yet in a key frame
+  TouchGraph graph_;             // of the last key frame
+  std::optional<int64_t> first_utime_;
+  int num_frames_ = 0;
+  int64_t next_index_ = 0;
+};
+
+}  // namespace cell

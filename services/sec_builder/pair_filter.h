@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/sec/relation.h"
+#include "services/sec_builder/proximity.h"
+
+namespace cell {
+
+/// Decides the relation of one pair from its proximity: two thresholds, and a
+/// change must last for some frames. It is dated back to the first of them.
+class PairFilter {
+ public:
+  struct Params {
+    double touch = 0.004;    ///< [m] nearer: touching
+    double release = 0.010;  ///< [m] further: no longer touching
+    /// [m] What is inside by slack >= 0 overlaps until it sticks out by this.
+    double stick_out = 0.006;
+    int confirm_frames = 2;  ///< a change seen in fewer is flicker
+  };
+  struct Change {
+    int64_t onset = 0;  ///< [us] first frame that showed it
+    Relation relation = Relation::kAbsent;
+  };
+
+  explicit PairFilter(const Params& params) : params_(params) {}
+
+  /// Takes the relation that the proximity shows, at once.
+  void Start(const Proximity& proximity) { relation_ = Shown(proximity); }
+
+  /// The change that is confirmed by what is seen at `utime`, if any.
+  std::optional<Change> See(int64_t utime, const Proximity& proximity);
+  /// The pair cannot be seen now: what is known of it holds.
+  void Hide() { candidate_.reset(); }
+  /// One of the pair is gone.
+  std::optional<Change> Lose(int64_t utime);
+
+  Relation relation() const { return relation_; }
+  /// When the change began that is not yet confirmed.
+  std::optional<int64_t> pending_since() const;
+
+ private:
+  Relation Shown(const Proximity& proximity) const;
+
+  Params params_;
+  Relation relation_ = Relation::kAbsent;
+  std::optional<Change> candidate_;
+  int num_seen_ = 0;  // frames in a row that showed the candidate
+};
+
+}  // namespace cell

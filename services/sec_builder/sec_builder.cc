@@ -1,0 +1,65 @@
+#include "services/sec_builder/sec_builder.h"
+
+#include "common/parts/cell_layout.h"
+#include "common/sec/track.h"
+
+namespace cell {
+
+SecBuilder::SecBuilder(Bus& bus, const Params& params)
+    : bus_(bus),
+      cast_(params.cast),
+      chain_params_(params.chain),
+      sensor_(params.cast, params.parts, params.proximity),
+      chain_(params.cast, params.chain) {
+  bus.Subscribe<episode_t>("EPISODE",
+                           [this](const episode_t& m) { return OnEpisode(m); });
+  bus.Subscribe<tracks_t>("TRACKS",
+                          [this](const tracks_t& m) { return OnTracks(m); });
+}
+
+bool SecBuilder::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::START) {
+    chain_ = EventChain(cast_, chain_params_);
+    start_utime_ = message.header.utime;
+    last_utime_.reset();
+  }
+  return message.phase == episode_t::START || message.phase == episode_t::END;
+}
+
+bool SecBuilder::OnTracks(const tracks_t& message) {
+  const auto tracks = TracksFromMessage(message, cast_);
+  if (!tracks || (last_utime_ && tracks->utime <= *last_utime_)) return false;
+  if (tracks->utime < start_utime_) return true;  // of the episode before
+  last_utime_ = tracks->utime;
+  for (const KeyFrame& frame :
+       chain_.Update(*tracks, sensor_.Measure(*tracks))) {
+    bus_.Publish("KEY_FRAME", KeyFrameToMessage(frame));
+  }
+  return true;
+}
+
+std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
+                                        const Deployment& deployment) {
+  const PartTable parts =
+      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const CellLayout layout =
+      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  SecBuilder::Params params{Cast(parts, layout), parts, {}, {}};
+  const Config config = deployment.ForService("sec_builder");
+  PairFilter::Params& pair = params.chain.pair;
+  pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;
+  pair.release = config.Number("release_mm", 0.01, 1000) * 1e-3;
+  if (pair.release < pair.touch) {
+    config["release_mm"].Fail("must not be less than touch_mm");
+  }
+  pair.stick_out = pair.release - pair.touch;
+  pair.confirm_frames = config.Integer("confirm_frames", 1, 100);
+  params.chain.merge_us = config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
+  params.chain.absent_us =
+      config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
+  config.Finish();
+  params.proximity = {pair.touch / 2, 1.5 * pair.release};
+  return std::make_unique<SecBuilder>(bus, params);
+}
+
+}  // namespace cell

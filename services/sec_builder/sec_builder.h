@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cell/episode_t.hpp"
+#include "cell/tracks_t.hpp"
+#include "common/bus/bus.h"
+#include "common/config/deployment.h"
+#include "common/parts/part_table.h"
+#include "common/sec/cast.h"
+#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/proximity.h"
+
+namespace cell {
+
+/// TRACKS -> KEY_FRAME: the semantic event chain of an episode (section V-B).
+class SecBuilder final : public Service {
+ public:
+  struct Params {
+    Cast cast;
+    PartTable parts;
+    ProximitySensor::Params proximity;
+    EventChain::Params chain;
+  };
+
+  /// `bus` must outlive this object.
+  SecBuilder(Bus& bus, const Params& params);
+
+ private:
+  bool OnEpisode(const episode_t& message);
+  bool OnTracks(const tracks_t& message);
+
+  Bus& bus_;
+  Cast cast_;
+  EventChain::Params chain_params_;
+  ProximitySensor sensor_;
+  EventChain chain_;                   // of the episode
+  int64_t start_utime_ = 0;            // of the episode
+  std::optional<int64_t> last_utime_;  // of its tracks
+};
+
+std::unique_ptr<Service> MakeSecBuilder(Bus& bus, const Deployment& deployment);
+
+}  // namespace cell

@@ -1,0 +1,52 @@
+#include "services/tracker/ideal_tracker.h"
+
+#include <utility>
+
+#include "services/tracker/box_surface.h"
+
+namespace cell {
+
+IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
+                           const Params& params)
+    : cast_(cast) {
+  for (const auto& [suffix, box] : {std::pair{".palm", &layout.palm},
+                                    {".thumb", &layout.thumb},
+                                    {".fingers", &layout.fingers}}) {
+    surfaces_[suffix] =
+        SampleBoxSurface(box->half_extents, params.hand_spacing);
+  }
+}
+
+Tracks IdealTracker::Update(const TruthPoses& truth) const {
+  Tracks tracks{truth.utime, {}};
+  for (const std::string& name : cast_.names()) {
+    if (cast_.IsHand(name)) {
+      TrackHand(name, truth, tracks);
+      continue;
+    }
+    const auto pose = truth.poses.find(name);
+    if (!cast_.IsPart(name) || pose == truth.poses.end()) continue;
+    tracks.tracks.push_back(
+        {name, Track::State::kTracked, 1, pose->second, {}});
+  }
+  return tracks;
+}
+
+void IdealTracker::TrackHand(const std::string& hand, const TruthPoses& truth,
+                             Tracks& tracks) const {
+  Track track;
+  track.name = hand;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& [suffix, surface] : surfaces_) {
+    const auto pose = truth.poses.find(hand + suffix);
+    if (pose == truth.poses.end()) return;
+    for (const Eigen::Vector3d& p_B : surface) {
+      track.points.push_back(pose->second * p_B);
+      sum += track.points.back();
+    }
+  }
+  track.X_WO.translation() = sum / static_cast<double>(track.points.size());
+  tracks.tracks.push_back(std::move(track));
+}
+
+}  // namespace cell

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/parts/cell_layout.h"
+#include "common/sec/cast.h"
+#include "common/sec/track.h"
+
+namespace cell {
+
+/// Where the testbed says everything is.
+struct TruthPoses {
+  int64_t utime = 0;  ///< [us since the start of the run]
+  std::map<std::string, Eigen::Isometry3d> poses;  ///< X_WB of bodies
+};
+
+/// Stands in for perfect sensing: tracks made of ground truth, so that the
+/// levels above can be built and judged by themselves (section IV). Parts are
+/// tracked with confidence 1; hands are points on their surface.
+class IdealTracker {
+ public:
+  struct Params {
+    double hand_spacing = 0.008;  ///< [m] of surface points: finer than contact
+  };
+
+  /// A hand is the boxes of `layout`, its bodies' frames at their centres.
+  IdealTracker(const Cast& cast, const CellLayout& layout,
+               const Params& params);
+
+  /// A track of every part that is there, and of every hand of which all
+  /// bodies are.
+  Tracks Update(const TruthPoses& truth) const;
+
+ private:
+  /// Adds the hand's track if it can be made.
+  void TrackHand(const std::string& hand, const TruthPoses& truth,
+                 Tracks& tracks) const;
+
+  Cast cast_;
+  /// Surface points of the hands' bodies, by the end of their name.
+  std::map<std::string, std::vector<Eigen::Vector3d>> surfaces_;
+};
+
+}  // namespace cell

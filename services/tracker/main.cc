@@ -1,0 +1,7 @@
+// tracker: says where parts and hands are.
+#include "common/node/run_service.h"
+#include "services/tracker/tracker.h"
+
+int main(int argc, char** argv) {
+  return cell::RunService("tracker", argc, argv, cell::MakeTracker);
+}

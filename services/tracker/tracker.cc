@@ -1,0 +1,74 @@
+#include "services/tracker/tracker.h"
+
+#include <string>
+#include <utility>
+
+#include "common/geometry/pose.h"
+#include "common/parts/part_table.h"
+
+namespace cell {
+namespace {
+
+constexpr size_t kMaxBodies = 10'000;
+
+std::optional<TruthPoses> TruthFromMessage(const truth_poses_t& message) {
+  if (message.bodies.size() > kMaxBodies) return std::nullopt;
+  TruthPoses truth{message.header.utime, {}};
+  for (const body_pose_t& body : message.bodies) {
+    const auto X_WB = PoseFromMessage(body.pose_world_body);
+    if (!X_WB || !truth.poses.emplace(body.name, *X_WB).second) {
+      return std::nullopt;
+    }
+  }
+  return truth;
+}
+
+}  // namespace
+
+Tracker::Tracker(Bus& bus, const Params& params)
+    : bus_(bus),
+      cast_(params.cast),
+      tracker_(params.cast, params.layout, params.ideal) {
+  bus.Subscribe<episode_t>("EPISODE",
+                           [this](const episode_t& m) { return OnEpisode(m); });
+  bus.Subscribe<truth_poses_t>(
+      "TRUTH_POSES", [this](const truth_poses_t& m) { return OnTruth(m); }, 1);
+  bus.Every(params.period_ticks, 0, [this] { PublishTracks(); });
+}
+
+bool Tracker::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::START) truth_.reset();
+  return message.phase == episode_t::START || message.phase == episode_t::END;
+}
+
+bool Tracker::OnTruth(const truth_poses_t& message) {
+  auto truth = TruthFromMessage(message);
+  if (!truth) return false;
+  truth_ = *std::move(truth);
+  return true;
+}
+
+void Tracker::PublishTracks() {
+  if (!truth_) return;
+  bus_.Publish("TRACKS", TracksToMessage(tracker_.Update(*truth_), cast_));
+  truth_.reset();
+}
+
+std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment) {
+  const PartTable parts =
+      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const CellLayout layout =
+      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  Tracker::Params params{Cast(parts, layout), layout, 12, {}};
+  const Config config = deployment.ForService("tracker");
+  const auto sensing = config.Get<std::string>("sensing");
+  if (sensing != "ideal") {
+    config["sensing"].Fail("only 'ideal' is there, not '" + sensing + "'");
+  }
+  params.period_ticks = config.Integer("period_ticks", 1, 1250);
+  params.ideal.hand_spacing = config.Number("hand_spacing_mm", 1, 100) * 1e-3;
+  config.Finish();
+  return std::make_unique<Tracker>(bus, params);
+}
+
+}  // namespace cell
