@@ -1,0 +1,3 @@
+if(TARGET cell_cli)
+  cell_add_test(fuzz/forged_messages_test.cc LINK cell_cli TIMEOUT 900)
+endif()

@@ -1,0 +1,260 @@
+// The command line as users run it: processes, LCM on a private network, logs.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "common/bus/event_log.h"
+#include "common/bus/run_log.h"
+#include "tests/system/shell.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string kCell = std::string(CELL_BIN_DIR) + "/cell";
+
+class CellCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::path(testing::TempDir()) /
+           (std::string("cell-") +
+            testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(dir_);
+  }
+  ShellResult Cell(const std::string& arguments) const {
+    return Shell("cd " + dir_.string() + " && " + kCell + " " + arguments);
+  }
+  /// Lines of digests alone; what else was said goes to stderr.
+  ShellResult Hash(const std::string& arguments) const {
+    const std::string log = (dir_ / "stderr").string();
+    ShellResult result = Shell("cd " + dir_.string() + " && " + kCell + " " +
+                               arguments + " --hash 2>" + log);
+    EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
+    return result;
+  }
+  static std::string TextOf(const fs::path& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(CellCommand, TheSameSeedGivesTheSameBytesOverLcmBusyOrNotAndInOneProcess) {
+  const std::string idle = Hash("demo --seed 7 --out a").output;
+  // Two busy loops beside it, which end by themselves.
+  const std::string busy =
+      Shell("for i in 1 2; do timeout 60 sh -c 'while :; do :; done' & done; "
+            "cd " + dir_.string() + " && " + kCell +
+            " demo --seed 7 --hash --out b 2>/dev/null; kill $(jobs -p)")
+          .output;
+  const std::string sim = Hash("sim --seed 7 --out c").output;
+  EXPECT_EQ(idle, sim);
+  EXPECT_EQ(busy, sim);
+  std::set<std::string> channels;
+  std::istringstream lines(sim);
+  std::string channel;
+  std::string digest;
+  while (lines >> channel >> digest) {
+    EXPECT_THAT(channel, testing::MatchesRegex("[A-Z0-9_]+"));
+    EXPECT_THAT(digest, testing::MatchesRegex("[0-9a-f]+"));
+    channels.insert(channel);
+  }
+  EXPECT_GE(channels.size(), 8u);
+  const ShellResult diff = Cell("diff a c");
+  EXPECT_EQ(diff.code, 0) << diff.output;
+  EXPECT_NE(Hash("sim --seed 8 --out d").output, sim);
+  const ShellResult other = Cell("diff a d");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.output, HasSubstr("tick "));
+}
+
+TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
+  std::string kills;
+  int tick = 400;
+  for (int moment = 0; moment < 3; ++moment) {
+    for (const char* service : {"tracker", "sec_builder", "recognizer",
+                                "predicate_estimator", "planner"}) {
+      kills += " --kill " + std::string(service) + "@" + std::to_string(tick);
+      tick += 211;
+    }
+  }
+  const std::string lcm = Hash("demo --seed 7 --out a" + kills).output;
+  size_t num_deaths = 0;
+  const RunLog log = RunLog::Load(dir_ / "a");
+  EXPECT_THAT(log.problems(), testing::IsEmpty());
+  for (const auto& [k, entry] : log.ticks()) {
+    for (const joined_t& joined : entry.manifest.joined) {
+      num_deaths += joined.death_tick >= 0;
+    }
+  }
+  EXPECT_EQ(num_deaths, 15u);
+  EXPECT_EQ(lcm, Hash("sim --seed 7 --out b --deaths-of a").output);
+  const ShellResult replay = Cell("replay a --check");
+  EXPECT_EQ(replay.code, 0) << replay.output;
+}
+
+TEST_F(CellCommand, AKilledRecorderGoesOnInANewFileAndNamesWhatItMisses) {
+  const ShellResult run = Cell(
+      "demo --seed 7 --demonstration two_pegs --out a --kill recorder@500");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("recorder: killed by signal 9, restarted"));
+  EXPECT_THAT(run.output, HasSubstr("the log lacks ticks "));
+  EXPECT_TRUE(fs::exists(dir_ / "a" / "cell-0002.lcmlog"));
+  const RunLog log = RunLog::Load(dir_ / "a");
+  ASSERT_EQ(log.problems().size(), 1u);
+  EXPECT_THAT(log.problems()[0], HasSubstr("are missing"));
+}
+
+TEST_F(CellCommand, ReplayRecomputesEveryServiceAndFindsAPlantedDifference) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
+  const ShellResult good = Cell("replay a --check");
+  EXPECT_EQ(good.code, 0) << good.output;
+  for (const char* service : {"vtb", "tracker", "sec_builder", "recognizer",
+                              "predicate_estimator", "planner", "recorder"}) {
+    EXPECT_THAT(good.output, HasSubstr(service));
+  }
+  // Another episode's first tick that differs is named with its channel.
+  const std::string yaml = TextOf(dir_ / "a" / "run.yaml");
+  std::string other = yaml;
+  other.replace(other.find("seed: 3"), 7, "seed: 4");
+  std::ofstream(dir_ / "a" / "run.yaml") << other;
+  const ShellResult bad = Cell("replay a --check --service vtb");
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_THAT(bad.output, HasSubstr("DIFFERENT: tick "));
+}
+
+TEST_F(CellCommand, ReplayNamesADamagedMessage) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
+  const fs::path path = dir_ / "a" / "cell-0001.lcmlog";
+  std::vector<LogEvent> events;
+  {
+    EventLogReader reader(path);
+    while (auto event = reader.Next()) events.push_back(std::move(*event));
+  }
+  EventLogWriter writer(path);
+  bool is_planted = false;
+  for (LogEvent& event : events) {
+    if (event.channel == "ACTION" && !is_planted) {
+      event.bytes.back() ^= 1;
+      is_planted = true;
+    }
+    writer.Write(event.utime, event.channel, event.bytes);
+  }
+  writer.Flush();
+  ASSERT_TRUE(is_planted);
+  const ShellResult bad = Cell("replay a --check");
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_THAT(bad.output, HasSubstr("ACTION"));
+}
+
+TEST_F(CellCommand, ATruncatedLogIsReadToTheCut) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
+  const fs::path path = dir_ / "a" / "cell-0001.lcmlog";
+  fs::resize_file(path, fs::file_size(path) * 2 / 3);
+  const ShellResult replay = Cell("replay a");
+  EXPECT_EQ(replay.code, 1);
+  EXPECT_THAT(replay.output, HasSubstr("are damaged"));
+  EXPECT_THAT(replay.output, HasSubstr("recognised "));
+}
+
+TEST_F(CellCommand, TheWholeAssemblyIsRecognisedOverLcm) {
+  const ShellResult run = Cell("demo --seed 1 --out a");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("recognised 9/9 steps"));
+  EXPECT_THAT(run.output, HasSubstr("the last state is the goal"));
+  EXPECT_GT(fs::file_size(dir_ / "a" / "final.png"), 10'000u);
+}
+
+TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
+  const ShellResult first =
+      Cell("eval watch --runs 1 --seed 900 --rows r --json m.json");
+  EXPECT_EQ(first.code, 0) << first.output;
+  const std::string rows = TextOf(dir_ / "r");
+  // Cut within the last row: that one is run again, the others are kept.
+  std::ofstream(dir_ / "r") << rows.substr(0, rows.size() - 20);
+  const ShellResult second =
+      Cell("eval watch --runs 1 --seed 900 --rows r --resume");
+  EXPECT_EQ(second.code, 0) << second.output;
+  EXPECT_EQ(first.output, second.output);
+  for (const char* key : {"measure", "value", "low", "high", "paper", "goal",
+                          "met", "runs", "seed"}) {
+    EXPECT_THAT(TextOf(dir_ / "m.json"),
+                HasSubstr("\"" + std::string(key) + "\""));
+  }
+}
+
+TEST_F(CellCommand, EveryCommandShowsAnExample) {
+  for (const char* command : {"", "demo", "sim", "replay", "diff", "eval",
+                              "eval watch", "view", "episode"}) {
+    const ShellResult help = Cell(std::string(command) + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;
+  }
+  for (const char* service : {"vtb", "tracker", "sec_builder", "recognizer",
+                              "predicate_estimator", "planner", "recorder"}) {
+    const ShellResult help =
+        Shell(std::string(CELL_BIN_DIR) + "/" + service + " --help");
+    EXPECT_EQ(help.code, 0) << service;
+    EXPECT_THAT(help.output, HasSubstr("Example: ")) << service;
+  }
+}
+
+TEST_F(CellCommand, MistakesAreUsageErrorsThatSayWhatIsWrong) {
+  EXPECT_EQ(Cell("").code, 2);
+  EXPECT_EQ(Cell("dance").code, 2);
+  EXPECT_THAT(Cell("replay nowhere").output, HasSubstr("nowhere"));
+  EXPECT_THAT(Cell("demo --kill vtb@9 --out x").output, HasSubstr("--kill"));
+  EXPECT_THAT(Cell("sim --demonstration nothing --out y").output,
+              HasSubstr("nothing"));
+  fs::create_directories(dir_ / "full" / "file");
+  EXPECT_THAT(Cell("sim --out full").output, HasSubstr("not empty"));
+}
+
+TEST_F(CellCommand, AMisspeltKeyIsNamedWithItsFile) {
+  fs::copy(fs::path(CELL_SOURCE_DIR) / "deploy", dir_ / "deploy",
+           fs::copy_options::recursive);
+  std::ofstream(dir_ / "deploy" / "config" / "tracker.yaml", std::ios::app)
+      << "\nperiod_tikcs: 3\n";
+  const ShellResult run = Cell("sim --deploy deploy --out a");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, HasSubstr("tracker.yaml:period_tikcs"));
+}
+
+TEST_F(CellCommand, WithoutAMulticastRouteAServiceSaysWhatToDo) {
+  const ShellResult run =
+      Shell("unshare -rn " + std::string(CELL_BIN_DIR) + "/planner");
+  EXPECT_EQ(run.code, 1) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("ip route add 224.0.0.0/4 dev lo"));
+}
+
+// Every indented line of the README that calls the built program.
+TEST_F(CellCommand, TheReadmesCommandsRun) {
+  std::istringstream readme(TextOf(fs::path(CELL_SOURCE_DIR) / "README.md"));
+  const std::string prefix = "    build/release/bin/cell ";
+  std::string line;
+  int num_run = 0;
+  while (std::getline(readme, line)) {
+    if (!line.starts_with(prefix)) continue;
+    const std::string arguments = line.substr(prefix.size());
+    const ShellResult run = Cell(arguments.substr(0, arguments.find('#')));
+    const bool is_diff = arguments.starts_with("diff");
+    EXPECT_EQ(run.code, is_diff ? 1 : 0) << line << "\n" << run.output;
+    ++num_run;
+  }
+  EXPECT_GE(num_run, 6);
+}
+
+}  // namespace
+}  // namespace cell
