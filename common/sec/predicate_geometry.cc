@@ -35,7 +35,12 @@ class Reader {
     const bool has_site = config.Has("site");
     CheckCount(has_site ? 1 : 2);
     CheckParts(0);
-    SeatedGeometry seated{SeatTolerance::FromConfig(config), nullptr};
+    SeatedGeometry seated{SeatTolerance::FromConfig(config)};
+    const auto touch = config.GetOr<std::string>("touch", "host");
+    if (touch != "host" && touch != "any") {
+      config["touch"].Fail("must be host or any, not '" + touch + "'");
+    }
+    seated.must_touch_host = touch == "host";
     if (has_site) {
       seated.site = parts_.FindSite(config.Get<std::string>("site"));
       if (!seated.site) config["site"].Fail("no part has this site");

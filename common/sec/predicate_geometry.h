@@ -13,12 +13,13 @@ namespace cell {
 
 /// What the predicates of a domain mean in space: their `geometry` blocks.
 
-/// seated: {z_mm, xy_mm, tilt_deg, yaw_deg, site}
-/// The first argument is at its site - the second, or `site` - and touches the
-/// host.
+/// seated: {z_mm, xy_mm, tilt_deg, yaw_deg, site, touch}
+/// The first argument is at its site - the second, or `site` - and touches its
+/// host; with `touch: any` some part, if it is others that hold it up there.
 struct SeatedGeometry {
   SeatTolerance tolerance;
-  const Site* site = nullptr;  ///< nullptr: the second argument
+  const Site* site = nullptr;   ///< nullptr: the second argument
+  bool must_touch_host = true;  ///< else: some part
 };
 
 /// tilted: {over_deg}

@@ -88,9 +88,12 @@ Truth PredicateSensor::Sense(const SeatedGeometry& seated,
     return Truth::kUnknown;
   }
   const Isometry3d X_SO = (host_item.X_WO * site.X_HS).inverse() * item.X_WO;
-  return FromBool(
-      item.touches[host] &&
-      IsSeated(X_SO, parts_.parts()[part].symmetry_order, seated.tolerance));
+  const bool touches = seated.must_touch_host
+                           ? item.touches[host]
+                           : std::find(item.touches.begin(), item.touches.end(),
+                                       true) != item.touches.end();
+  return FromBool(touches && IsSeated(X_SO, parts_.parts()[part].symmetry_order,
+                                      seated.tolerance));
 }
 
 Truth PredicateSensor::Sense(const TiltedGeometry& tilted,

@@ -1,0 +1,317 @@
+#include "services/recognizer/recognition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string kLeft = "hand_left";
+const std::string kRight = "hand_right";
+
+class RecognitionTest : public testing::Test {
+ protected:
+  using Actions = std::vector<RecognisedAction>;
+
+  Actions See() { return recognition_.Update(stage_.Frame()); }
+
+  // Picks the part up, lets `move` put it somewhere, lets go of it; returns
+  // what is recognised.
+  template <class Move>
+  Actions Manipulate(const std::string& part, Move move,
+                     const std::string& hand = kRight) {
+    See();
+    stage_.Hold(hand, part);
+    EXPECT_THAT(See(), IsEmpty()) << "at the pick-up of " << part;
+    stage_.Lift(part, 0.2);
+    EXPECT_THAT(See(), IsEmpty()) << "in transit";
+    move();
+    EXPECT_THAT(See(), IsEmpty()) << "not yet let go";
+    stage_.LetGo(hand, part);
+    return See();
+  }
+
+  ShippedTask task_;
+  Stage stage_{task_};
+  Recognition recognition_{
+      task_.cast,
+      task_.parts,
+      std::make_shared<const Gallery>(task_.domain, task_.parts),
+      task_.Sensor(),
+      {}};
+};
+
+std::string Shown(const RecognisedAction& action) {
+  std::string text = action.reading == Reading::kForward    ? "forward "
+                     : action.reading == Reading::kReversed ? "reversed "
+                                                            : "unknown";
+  text += action.name;
+  for (const std::string& argument : action.arguments) text += " " + argument;
+  return text;
+}
+
+std::vector<std::string> Shown(const std::vector<RecognisedAction>& actions) {
+  std::vector<std::string> shown;
+  for (const RecognisedAction& action : actions) {
+    shown.push_back(Shown(action));
+  }
+  return shown;
+}
+
+TEST_F(RecognitionTest, NamesAnActionWithItsArguments) {
+  const auto actions = Manipulate(
+      "round_peg_1", [this] { stage_.Seat("round_peg_1", "base.round_2"); });
+  EXPECT_THAT(Shown(actions),
+              ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_2"));
+  EXPECT_EQ(actions[0].part, "round_peg_1");
+  EXPECT_THAT(actions[0].hands, ElementsAre(kRight));
+  EXPECT_EQ(actions[0].pick_key_frame, 1);
+  EXPECT_EQ(actions[0].pick_utime, 500'000);
+  EXPECT_EQ(actions[0].place_key_frame, 4);
+  EXPECT_EQ(actions[0].place_utime, 2'000'000);
+}
+
+TEST_F(RecognitionTest, TellsTwinPartsAndTwinSitesApart) {
+  for (const auto& [part, site] : {std::pair{"square_peg_2", "base.square_1"},
+                                   {"square_peg_1", "base.square_2"}}) {
+    EXPECT_THAT(
+        Shown(Manipulate(part, [&, p = part, s = site] { stage_.Seat(p, s); })),
+        ElementsAre(std::string("forward PlaceSquarePeg ") + part + " " +
+                    site));
+  }
+}
+
+TEST_F(RecognitionTest, RecognisesAllStepsOfAnAssembly) {
+  std::vector<std::string> all;
+  for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
+                                   {"round_peg_2", "base.round_1"},
+                                   {"square_peg_1", "base.square_1"},
+                                   {"pendulum", "base.pendulum"},
+                                   {"square_peg_2", "base.square_2"},
+                                   {"separator", "base.separator"},
+                                   {"head", "pendulum.head"},
+                                   {"round_peg_1", "base.round_2"},
+                                   {"face_plate", "base.face_plate"}}) {
+    const auto actions =
+        Manipulate(part, [&, p = part, s = site] { stage_.Seat(p, s); });
+    ASSERT_THAT(actions, SizeIs(1)) << part;
+    all.push_back(Shown(actions[0]));
+  }
+  EXPECT_THAT(
+      all,
+      ElementsAre("forward PlaceRoundPeg shaft base.shaft",
+                  "forward PlaceRoundPeg round_peg_2 base.round_1",
+                  "forward PlaceSquarePeg square_peg_1 base.square_1",
+                  "forward PlacePendulum pendulum",
+                  "forward PlaceSquarePeg square_peg_2 base.square_2",
+                  "forward PlaceSeparator separator", "forward ScrewHead head",
+                  "forward PlaceRoundPeg round_peg_1 base.round_2",
+                  "forward PlaceFacePlate face_plate"));
+}
+
+TEST_F(RecognitionTest, ReadsATakeBackAsTheActionReversed) {
+  stage_.Seat("pendulum", "base.pendulum");
+  EXPECT_THAT(Shown(Manipulate(
+                  "pendulum", [this] { stage_.StandAt("pendulum", 0, -0.4); })),
+              ElementsAre("reversed PlacePendulum pendulum"));
+}
+
+// Also if it has left its site before the pick-up's key frame is confirmed.
+TEST_F(RecognitionTest, ReadsATakeBackInOneGoAsTheActionReversed) {
+  stage_.Seat("shaft", "base.shaft");
+  See();
+  stage_.Lift("shaft", 0.1);
+  stage_.Hold(kRight, "shaft");
+  See();
+  stage_.StandAt("shaft", 0, -0.4);
+  stage_.LetGo(kRight, "shaft");
+  EXPECT_THAT(Shown(See()),
+              ElementsAre("reversed PlaceRoundPeg shaft base.shaft"));
+}
+
+TEST_F(RecognitionTest, ReadsAMoveFromSiteToSiteAsUndoneThenDone) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(
+      Shown(Manipulate("round_peg_1",
+                       [this] { stage_.Seat("round_peg_1", "base.round_2"); })),
+      ElementsAre("reversed PlaceRoundPeg round_peg_1 base.round_1",
+                  "forward PlaceRoundPeg round_peg_1 base.round_2"));
+}
+
+TEST_F(RecognitionTest, ReportsAMoveThatNoActionExplainsAsUnknown) {
+  const auto actions = Manipulate(
+      "separator", [this] { stage_.StandAt("separator", 0.3, -0.3); });
+  EXPECT_THAT(Shown(actions), ElementsAre("unknown"));
+  EXPECT_EQ(actions[0].part, "separator");
+}
+
+TEST_F(RecognitionTest, AlmostSeatedIsUnknown) {
+  const Eigen::Isometry3d too_high(Eigen::Translation3d(0, 0, 0.0012));
+  EXPECT_THAT(
+      Shown(Manipulate("shaft",
+                       [&] { stage_.Seat("shaft", "base.shaft", too_high); })),
+      ElementsAre("unknown"));
+}
+
+TEST_F(RecognitionTest, ABrushIsNoAction) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  for (const char* part : {"round_peg_1", "head"}) {
+    See();
+    stage_.Hold(kLeft, part);
+    EXPECT_THAT(See(), IsEmpty());
+    stage_.Lift(part, 0.0005);
+    stage_.LetGo(kLeft, part);
+    EXPECT_THAT(See(), IsEmpty()) << part;
+  }
+}
+
+TEST_F(RecognitionTest, PuttingAPartBackWhereItWasIsNoAction) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(
+      Manipulate("round_peg_1",
+                 [this] { stage_.Seat("round_peg_1", "base.round_1"); }),
+      IsEmpty());
+}
+
+TEST_F(RecognitionTest, ATurnThatCannotBeSeenIsNoMove) {
+  const Eigen::Isometry3d turn(
+      Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()));
+  EXPECT_THAT(Manipulate("round_peg_1",
+                         [&] {
+                           stage_.StandAt("round_peg_1", -0.2, -0.6);
+                           stage_.Put("round_peg_1",
+                                      stage_.PoseOf("round_peg_1") * turn);
+                         }),
+              IsEmpty());
+}
+
+TEST_F(RecognitionTest, AHandOverIsOneManipulationByBothHands) {
+  See();
+  stage_.Hold(kRight, "head");
+  See();
+  stage_.Lift("head", 0.3);
+  stage_.Hold(kLeft, "head");
+  See();
+  stage_.LetGo(kRight, "head");
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.StandAt("head", 0.3, -0.3);
+  stage_.LetGo(kLeft, "head");
+  const auto actions = See();
+  ASSERT_THAT(Shown(actions), ElementsAre("unknown"));
+  EXPECT_THAT(actions[0].hands, ElementsAre(kLeft, kRight));
+}
+
+TEST_F(RecognitionTest, TwoHandsWorkAtTheSameTime) {
+  See();
+  stage_.Hold(kRight, "round_peg_1");
+  See();
+  stage_.Hold(kLeft, "square_peg_1");
+  stage_.Seat("round_peg_1", "base.round_1");
+  See();
+  stage_.LetGo(kRight, "round_peg_1");
+  EXPECT_THAT(Shown(See()),
+              ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
+  stage_.Seat("square_peg_1", "base.square_1");
+  stage_.LetGo(kLeft, "square_peg_1");
+  EXPECT_THAT(Shown(See()),
+              ElementsAre("forward PlaceSquarePeg square_peg_1 base.square_1"));
+}
+
+TEST_F(RecognitionTest, RaisingIsAnActionAndLayingDownItsReverse) {
+  stage_.LieAt("square_peg_1", 0.1, -0.4);
+  EXPECT_THAT(
+      Shown(Manipulate("square_peg_1",
+                       [this] { stage_.StandAt("square_peg_1", 0.1, -0.4); })),
+      ElementsAre("forward Raise square_peg_1"));
+  EXPECT_THAT(
+      Shown(Manipulate("square_peg_1",
+                       [this] { stage_.LieAt("square_peg_1", 0.1, -0.4); })),
+      ElementsAre("reversed Raise square_peg_1"));
+}
+
+TEST_F(RecognitionTest, ALyingPartPutToItsSiteAtOnceIsNotRaised) {
+  stage_.LieAt("square_peg_1", 0.1, -0.4);
+  EXPECT_THAT(Shown(Manipulate(
+                  "square_peg_1",
+                  [this] { stage_.Seat("square_peg_1", "base.square_2"); })),
+              ElementsAre("forward PlaceSquarePeg square_peg_1 base.square_2"));
+}
+
+// The head is screwed to the pendulum; both are touched, the pendulum is moved.
+TEST_F(RecognitionTest, APassengerIsNoManipulation) {
+  stage_.Seat("head", "pendulum.head");
+  for (const bool passenger_is_let_go_first : {true, false}) {
+    const std::string first = passenger_is_let_go_first ? "head" : "pendulum";
+    const std::string second = passenger_is_let_go_first ? "pendulum" : "head";
+    See();
+    stage_.Hold(kRight, "pendulum");
+    stage_.Hold(kRight, "head");
+    See();
+    stage_.Seat("pendulum", "base.pendulum");
+    stage_.Seat("head", "pendulum.head");
+    stage_.LetGo(kRight, first);
+    auto actions = See();
+    stage_.LetGo(kRight, second);
+    for (const auto& action : See()) actions.push_back(action);
+    EXPECT_THAT(Shown(actions), ElementsAre("forward PlacePendulum pendulum"));
+    stage_.StandAt("pendulum", 0, -0.4);
+    stage_.Seat("head", "pendulum.head");
+    See();
+  }
+}
+
+TEST_F(RecognitionTest, OfTwoPartsMovedAsOneOnlyOneIsUnknown) {
+  for (const bool at_once : {true, false}) {
+    stage_.StandAt("pendulum", 0, -0.4);
+    stage_.Seat("head", "pendulum.head");
+    See();
+    stage_.Hold(kRight, "pendulum");
+    if (!at_once) See();
+    stage_.Hold(kRight, "head");
+    See();
+    stage_.StandAt("pendulum", 0.3, -0.5);
+    stage_.Seat("head", "pendulum.head");
+    stage_.LetGo(kRight, "pendulum");
+    stage_.LetGo(kRight, "head");
+    EXPECT_THAT(Shown(See()), ElementsAre("unknown")) << at_once;
+  }
+}
+
+TEST_F(RecognitionTest, HypothesesArePrunedAtThePickUp) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  See();
+  stage_.Hold(kRight, "round_peg_1");
+  See();
+  const Manipulation& held = recognition_.manipulations().at("round_peg_1");
+  std::vector<std::string> alive;
+  for (const auto& hypothesis : held.hypotheses()) {
+    const auto object = static_cast<size_t>(hypothesis.binding.back());
+    alive.push_back(
+        (hypothesis.reading == Reading::kForward ? "forward " : "reversed ") +
+        task_.domain.vocabulary().objects()[object].name);
+  }
+  EXPECT_THAT(alive,
+              ElementsAre("reversed base.round_1", "forward base.round_2"));
+}
+
+TEST_F(RecognitionTest, APartThatIsGoneWhenItIsLetGoIsNotInvented) {
+  See();
+  stage_.Hold(kRight, "head");
+  See();
+  stage_.Remove("head");
+  stage_.LetGo(kRight, "head");
+  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(recognition_.manipulations(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace cell

@@ -1,0 +1,1 @@
+cell_add_test(unit/recognition_test.cc LINK cell_recognizer)

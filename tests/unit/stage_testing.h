@@ -1,0 +1,147 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "common/config/deployment.h"
+#include "common/geometry/part_shape.h"
+#include "common/parts/cell_layout.h"
+#include "common/parts/part_table.h"
+#include "common/relational/domain.h"
+#include "common/sec/cast.h"
+#include "common/sec/key_frame.h"
+#include "common/sec/predicate_sensor.h"
+#include "common/sec/track.h"
+
+namespace cell {
+
+/// The shipped task, for tests.
+inline Deployment ShippedDeployment() {
+  const std::filesystem::path source = CELL_SOURCE_DIR;
+  return {source / "deploy/config", source / "deploy/tasks/cranfield"};
+}
+
+struct ShippedTask {
+  PartTable parts =
+      PartTable::FromConfig(ShippedDeployment().OfTask("parts.yaml"));
+  CellLayout layout =
+      CellLayout::FromConfig(ShippedDeployment().OfTask("cell.yaml"));
+  Config domain_config = ShippedDeployment().OfTask("domain.yaml");
+  Domain domain = Domain::FromConfig(domain_config, parts);
+  Cast cast{parts, layout};
+
+  std::shared_ptr<const PredicateSensor> Sensor() const {
+    return std::make_shared<const PredicateSensor>(
+        domain.vocabulary(), parts, layout.workspace, domain_config);
+  }
+};
+
+/// Puts parts and hands where a test wants them, and makes key frames of it.
+/// At first the base stands on its pedestal and everything else upright on the
+/// table, in rows; no hand touches anything.
+class Stage {
+ public:
+  explicit Stage(const ShippedTask& task) : task_(task) {
+    int place = 0;
+    for (const Part& part : task_.parts.parts()) {
+      shapes_.emplace(part.name, PartShape(part));
+      if (part.is_fixed) {
+        poses_[part.name] = task_.layout.pedestal.X_WP;
+        continue;
+      }
+      StandAt(part.name, -0.2 + 0.12 * (place % 5), -0.6 + 0.3 * (place / 5));
+      ++place;
+    }
+  }
+
+  void Put(const std::string& part, const Eigen::Isometry3d& X_WO) {
+    poses_[part] = X_WO;
+  }
+  void StandAt(const std::string& part, double x, double y) {
+    Rest(part, x, y, Eigen::Matrix3d::Identity());
+  }
+  void LieAt(const std::string& part, double x, double y) {
+    Rest(part, x, y,
+         Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitX())
+             .toRotationMatrix());
+  }
+  /// At the site, off by X_SO.
+  void Seat(const std::string& part, const std::string& site,
+            const Eigen::Isometry3d& X_SO = Eigen::Isometry3d::Identity()) {
+    const Site* s = task_.parts.FindSite(site);
+    poses_[part] = poses_.at(s->host) * s->X_HS * X_SO;
+  }
+  void Lift(const std::string& part, double height) {
+    poses_[part].translation().z() += height;
+  }
+  void Remove(const std::string& part) { poses_.erase(part); }
+  void Hold(const std::string& hand, const std::string& part) {
+    held_.insert({hand, part});
+  }
+  void LetGo(const std::string& hand, const std::string& part) {
+    held_.erase({hand, part});
+  }
+  const Eigen::Isometry3d& PoseOf(const std::string& part) const {
+    return poses_.at(part);
+  }
+
+  /// The next key frame, half a second after the last.
+  KeyFrame Frame() {
+    KeyFrame frame{500'000 * next_index_, next_index_, {}, poses_};
+    ++next_index_;
+    const auto& names = task_.cast.names();
+    for (size_t i = 0; i < names.size(); ++i) {
+      for (size_t j = i + 1; j < names.size(); ++j) {
+        frame.relations[{names[i], names[j]}] = RelationOf(names[i], names[j]);
+      }
+    }
+    return frame;
+  }
+
+  /// Every part tracked.
+  Tracks AllTracked() const {
+    Tracks tracks;
+    for (const auto& [name, X_WO] : poses_) {
+      tracks.tracks.push_back({name, Track::State::kTracked, 1, X_WO, {}});
+    }
+    return tracks;
+  }
+
+ private:
+  void Rest(const std::string& part, double x, double y,
+            const Eigen::Matrix3d& R_WO) {
+    Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
+    X_WO.linear() = R_WO;
+    X_WO.translation() << x, y, -shapes_.at(part).LowestZ(X_WO);
+    poses_[part] = X_WO;
+  }
+
+  Relation RelationOf(const std::string& a, const std::string& b) const {
+    if (held_.contains({a, b}) || held_.contains({b, a})) {
+      return Relation::kTouching;
+    }
+    const auto pose_a = poses_.find(a), pose_b = poses_.find(b);
+    double distance = 1;
+    if (pose_a != poses_.end() && pose_b != poses_.end()) {
+      distance = PartShape::Distance(shapes_.at(a), pose_a->second,
+                                     shapes_.at(b), pose_b->second, 1);
+    } else if (a == Cast::kTable && pose_b != poses_.end()) {
+      distance = shapes_.at(b).LowestZ(pose_b->second);
+    } else if (b == Cast::kTable && pose_a != poses_.end()) {
+      distance = shapes_.at(a).LowestZ(pose_a->second);
+    }
+    return distance < 0.004 ? Relation::kTouching : Relation::kNotTouching;
+  }
+
+  const ShippedTask& task_;
+  std::map<std::string, PartShape> shapes_;
+  std::map<std::string, Eigen::Isometry3d> poses_;
+  std::set<std::pair<std::string, std::string>> held_;  // hand, part
+  int64_t next_index_ = 0;
+};
+
+}  // namespace cell
