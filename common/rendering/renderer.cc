@@ -220,7 +220,8 @@ void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
       colours.fill(Vector3f::Zero());
       for (int k = 0; k < side * side; ++k) {
         const double x = column + (k % side + 0.5) / side - 0.5;
-        const double y = row + (k / side + 0.5) / side - 0.5;
+        const int below = k / side;
+        const double y = row + (below + 0.5) / side - 0.5;
         const Samples samples = side == 1 ? centres : renderer.Look(x, y, num);
         for (size_t i = 0; i < kWidth; ++i) colours[i] += samples[i].colour;
       }

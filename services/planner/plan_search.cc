@@ -131,6 +131,7 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
                      return a.step.expected_actions < b.step.expected_actions;
                    });
   std::vector<PlanStep> next;
+  next.reserve(candidates.size());
   for (Candidate& candidate : candidates) {
     next.push_back(std::move(candidate.step));
   }
