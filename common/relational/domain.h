@@ -65,7 +65,7 @@ class Domain {
   /// are right.
   std::optional<GroundAction> FindGroundAction(
       const std::string& name, const std::vector<std::string>& objects) const;
-  /// "Insert(bolt_1, plate.hole_1)"
+  /// "Insert(bolt_1, frame.hole_1)"
   std::string Show(const GroundAction& action) const;
 
  private:

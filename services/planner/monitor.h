@@ -26,7 +26,7 @@ struct DoneAction {
   int64_t pick_key_frame = 0;
   int64_t place_key_frame = 0;
   std::vector<int> objects;  ///< that it concerned
-  std::string text;          ///< "Insert(bolt_1, plate.hole_1)"
+  std::string text;          ///< "Insert(bolt_1, frame.hole_1)"
 };
 
 struct Alert {
