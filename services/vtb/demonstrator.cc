@@ -1,0 +1,412 @@
+#include "services/vtb/demonstrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace cell {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Isometry3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kMinMove = 0.08;      // [m] that a moved part moves at least
+constexpr double kOutsideBy = 0.12;    // [m] beyond the workspace
+constexpr double kLayTilt = 1.05;      // [rad] it falls over from here
+constexpr double kCorrectAfter = 2.0;  // [s] that a mistake stays
+
+double SegmentDistance(const Vector2d& a, const Vector2d& b, const Vector2d& c,
+                       const Vector2d& d) {
+  // Sampled: the ways are short and the gap is wide.
+  constexpr int kSamples = 16;
+  double distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSamples; ++i) {
+    for (int j = 0; j <= kSamples; ++j) {
+      const Vector2d p = a + (b - a) * i / kSamples;
+      const Vector2d q = c + (d - c) * j / kSamples;
+      distance = std::min(distance, (p - q).norm());
+    }
+  }
+  return distance;
+}
+
+double DistanceOfWays(const std::vector<Vector2d>& a,
+                      const std::vector<Vector2d>& b) {
+  double distance = std::numeric_limits<double>::infinity();
+  const auto at = [](const std::vector<Vector2d>& way, size_t i) {
+    return way[std::min(i, way.size() - 1)];
+  };
+  for (size_t i = 0; i + 1 < a.size() || i == 0; ++i) {
+    for (size_t j = 0; j + 1 < b.size() || j == 0; ++j) {
+      distance = std::min(distance, SegmentDistance(at(a, i), at(a, i + 1),
+                                                    at(b, j), at(b, j + 1)));
+    }
+  }
+  return distance;
+}
+
+bool Contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+int Draw(const CountRange& range, std::mt19937_64& random) {
+  return std::uniform_int_distribution<int>(range.low, range.high)(random);
+}
+
+}  // namespace
+
+Demonstrator::Demonstrator(std::shared_ptr<const DemonstratorBook> book,
+                           const std::string& script, uint64_t seed,
+                           World& world)
+    : book_(std::move(book)), random_(seed) {
+  const auto found = book_->scripts.find(script);
+  if (found == book_->scripts.end()) {
+    throw std::invalid_argument("no demonstration is named '" + script + "'");
+  }
+  script_ = &found->second;
+  tabletop_ = std::make_shared<Tabletop>(world.table(), world.layout(),
+                                         book_->manner.table_gap);
+  world.Reset();
+  for (const Tabletop::Placed& placed : tabletop_->Scatter(random_)) {
+    world.Place(placed.part, placed.X_WO);
+  }
+  for (const std::string& name : script_->place) {
+    const PlacementRule& rule = book_->rules.at(name);
+    for (const Part& host : world.table().parts()) {
+      for (const Site& site : host.sites) {
+        if (site.type == rule.site_type) {
+          placements_.push_back({&rule, site.name, {}, ""});
+        }
+      }
+    }
+  }
+  // The right hand of a right-handed person comes last in the layout.
+  const auto& hands = world.layout().hands;
+  for (int i = 1; i <= script_->num_hands; ++i) {
+    const std::string& name =
+        hands.at(hands.size() - static_cast<size_t>(i)).name;
+    hands_.push_back({HandActor(name, book_->manner, world)});
+  }
+  PlanEvents();
+  pause_ = book_->manner.first_pause;
+}
+
+void Demonstrator::PlanEvents() {
+  const int count = static_cast<int>(placements_.size());
+  const auto plan = [&](EventKind kind, int earliest, int latest) {
+    events_.push_back(
+        {kind, std::uniform_int_distribution<int>(earliest, latest)(random_)});
+  };
+  for (int i = Draw(script_->take_backs, random_); i > 0; --i) {
+    plan(EventKind::kTakeBack, 1, std::max(1, count - 3));
+  }
+  for (int i = Draw(script_->unknown_moves, random_); i > 0; --i) {
+    plan(EventKind::kUnknownMove, 0, std::max(0, count - 2));
+  }
+  if (script_->too_early) plan(EventKind::kTooEarly, 0, count / 2);
+  if (!script_->lay_outside.empty()) {
+    plan(EventKind::kLayOutside, 0, std::max(0, count - 3));
+  }
+  std::ranges::stable_sort(events_, {}, &Event::when);
+}
+
+bool Demonstrator::AreHandsIdle() const {
+  return std::ranges::all_of(hands_, [](const Hand& hand) {
+    return hand.actor.is_idle() && hand.placement < 0;
+  });
+}
+
+bool Demonstrator::is_done() const {
+  const bool is_all = std::ranges::all_of(placements_, [](const Placement& p) {
+    return p.state == Placement::State::kDone;
+  });
+  return AreHandsIdle() && (is_all || is_over_) && to_correct_.empty();
+}
+
+std::vector<std::string> Demonstrator::failures() const {
+  std::vector<std::string> all;
+  for (const Hand& hand : hands_) {
+    const auto& failures = hand.actor.failures();
+    all.insert(all.end(), failures.begin(), failures.end());
+  }
+  return all;
+}
+
+int Demonstrator::NumDone() const {
+  return static_cast<int>(std::ranges::count(
+      placements_, Placement::State::kDone, &Placement::state));
+}
+
+void Demonstrator::Update(double dt, World& world) {
+  pause_ -= dt;
+  BookFinished();
+  if (pause_ <= 0 && !is_over_) Decide(world);
+  for (Hand& hand : hands_) {
+    hand.actor.Update(dt, world, *tabletop_, random_);
+  }
+}
+
+/// What is out of the ordinary happens while both hands are free.
+void Demonstrator::Decide(World& world) {
+  const bool is_event_due =
+      !to_correct_.empty() ||
+      (!events_.empty() && events_.front().when <= NumDone());
+  if (is_event_due && AreHandsIdle()) {
+    StartEvent(world);
+    return;
+  }
+  for (Hand& hand : hands_) {
+    if (!hand.actor.is_idle()) continue;
+    if (hand.is_fetched) {
+      CarryOn(hand, world);
+    } else if (hand.placement < 0 && !is_event_due) {
+      PlaceNext(hand, world);
+    }
+  }
+}
+
+/// Books what the hands have finished.
+void Demonstrator::BookFinished() {
+  for (Hand& hand : hands_) {
+    if (!hand.actor.is_idle() || hand.placement < 0 || hand.is_fetched) {
+      continue;
+    }
+    placements_[static_cast<size_t>(hand.placement)].state =
+        Placement::State::kDone;
+    hand.placement = -1;
+    pause_ = std::uniform_real_distribution<double>(
+        book_->manner.pause_low, book_->manner.pause_high)(random_);
+  }
+}
+
+/// Whether all that must come first is in place; `soon`: or in a hand.
+bool Demonstrator::IsReady(const Placement& placement, bool soon) const {
+  return std::ranges::all_of(placements_, [&](const Placement& other) {
+    return !Contains(placement.rule->after, other.rule->name) ||
+           other.state == Placement::State::kDone ||
+           (soon && other.state == Placement::State::kClaimed);
+  });
+}
+
+/// Whether nothing that was placed needs it to stay.
+bool Demonstrator::IsLoose(const Placement& placement) const {
+  return std::ranges::none_of(placements_, [&](const Placement& other) {
+    return other.state != Placement::State::kOpen &&
+           Contains(other.rule->after, placement.rule->name);
+  });
+}
+
+std::vector<std::string> Demonstrator::FreeParts(const std::string& type,
+                                                 const World& world) const {
+  std::vector<std::string> free;
+  for (const Part& part : world.table().parts()) {
+    if (part.type != type || part.is_fixed) continue;
+    const bool is_used = std::ranges::any_of(
+        placements_, [&](const Placement& p) { return p.part == part.name; });
+    if (!is_used) free.push_back(part.name);
+  }
+  return free;
+}
+
+bool Demonstrator::IsWayFree(const HandActor& actor, const World& world) const {
+  const std::vector<Vector2d> way = actor.WayAhead(world);
+  return std::ranges::all_of(hands_, [&](const Hand& other) {
+    return other.actor.hand() == actor.hand() ||
+           DistanceOfWays(way, other.actor.WayAhead(world)) >
+               book_->manner.hands_gap;
+  });
+}
+
+/// While a rule is yet to be broken, the last of its conditions stays open.
+bool Demonstrator::WouldSpoilMistake(const Placement& placement) const {
+  const bool is_planned = std::ranges::any_of(events_, [](const Event& event) {
+    return event.kind == EventKind::kTooEarly;
+  });
+  if (!is_planned) return false;
+  const std::vector<std::string>& conditions =
+      book_->rules.at(*script_->too_early).after;
+  const auto num_open =
+      std::ranges::count_if(placements_, [&](const Placement& p) {
+        return p.state == Placement::State::kOpen &&
+               Contains(conditions, p.rule->name);
+      });
+  return num_open <= 1 && Contains(conditions, placement.rule->name);
+}
+
+void Demonstrator::PlaceNext(Hand& hand, World& world) {
+  std::vector<size_t> ready, soon;
+  for (size_t i = 0; i < placements_.size(); ++i) {
+    const Placement& placement = placements_[i];
+    if (placement.state != Placement::State::kOpen ||
+        WouldSpoilMistake(placement)) {
+      continue;
+    }
+    if (IsReady(placement, false)) ready.push_back(i);
+    if (IsReady(placement, true)) soon.push_back(i);
+  }
+  if (!ready.empty() && StartPlacing(hand, AnyOf(ready), false, world)) return;
+  // The ways cross: at least fetch something while the other hand works.
+  if (hands_.size() > 1 && !soon.empty()) {
+    StartPlacing(hand, AnyOf(soon), true, world);
+  }
+}
+
+bool Demonstrator::StartPlacing(Hand& hand, size_t index, bool only_fetch,
+                                World& world) {
+  Placement& placement = placements_[index];
+  const std::string part = AnyOf(FreeParts(placement.rule->part_type, world));
+  HandActor trial = hand.actor;
+  trial.Take(part, "");
+  if (!only_fetch) trial.Put(part, {placement.rule, placement.site});
+  trial.GoToRest();
+  if (!IsWayFree(trial, world)) return false;
+  hand = {trial, static_cast<int>(index), only_fetch};
+  placement.state = Placement::State::kClaimed;
+  placement.part = part;
+  return true;
+}
+
+/// The hand holds a part at its rest: it goes on when the way is free.
+void Demonstrator::CarryOn(Hand& hand, World& world) {
+  const Placement& placement = placements_[static_cast<size_t>(hand.placement)];
+  if (!IsReady(placement, false)) return;
+  HandActor trial = hand.actor;
+  trial.Put(placement.part, {placement.rule, placement.site});
+  trial.GoToRest();
+  if (IsWayFree(trial, world)) hand = {trial, hand.placement, false};
+}
+
+/// The event that is due, or later if it cannot be now.
+void Demonstrator::StartEvent(World& world) {
+  if (!to_correct_.empty()) {
+    if (TakeBack(to_correct_, world)) to_correct_.clear();
+    return;
+  }
+  Event event = events_.front();
+  events_.erase(events_.begin());
+  if (Start(event.kind, world)) return;
+  event.when = NumDone() + 1;
+  if (event.when >= static_cast<int>(placements_.size())) return;
+  events_.push_back(event);
+  std::ranges::stable_sort(events_, {}, &Event::when);
+}
+
+bool Demonstrator::Start(EventKind kind, World& world) {
+  switch (kind) {
+    case EventKind::kTakeBack: {
+      std::vector<size_t> candidates;
+      for (size_t i = 0; i < placements_.size(); ++i) {
+        const Placement& placement = placements_[i];
+        if (placement.state == Placement::State::kDone && IsLoose(placement) &&
+            Contains(script_->take_back_of, placement.rule->name)) {
+          candidates.push_back(i);
+        }
+      }
+      if (candidates.empty()) return false;
+      return TakeBack({AnyOf(candidates)}, world);
+    }
+    case EventKind::kUnknownMove:
+      return MoveAside(world);
+    case EventKind::kTooEarly:
+      return PlaceTooEarly(world);
+    case EventKind::kLayOutside:
+      return LayOutside(world);
+  }
+  return false;
+}
+
+/// Puts the part of one of the placements back on the table.
+bool Demonstrator::TakeBack(const std::vector<size_t>& candidates,
+                            World& world) {
+  Placement& placement = placements_[AnyOf(candidates)];
+  const auto X_WO = PlaceFor(placement.part, kMinMove, world);
+  if (!X_WO) return false;
+  PutOnTable(placement.part, placement.site, {nullptr, "", *X_WO});
+  placement.state = Placement::State::kOpen;
+  placement.part.clear();
+  return true;
+}
+
+bool Demonstrator::MoveAside(World& world) {
+  std::vector<std::string> parts;
+  for (const Part& part : world.table().parts()) {
+    if (Contains(FreeParts(part.type, world), part.name)) {
+      parts.push_back(part.name);
+    }
+  }
+  std::ranges::shuffle(parts, random_);
+  for (const std::string& part : parts) {
+    if (const auto X_WO = PlaceFor(part, kMinMove, world)) {
+      PutOnTable(part, "", {nullptr, "", *X_WO});
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Demonstrator::PlaceTooEarly(World& world) {
+  for (size_t i = 0; i < placements_.size(); ++i) {
+    const Placement& placement = placements_[i];
+    if (placement.rule->name != *script_->too_early ||
+        placement.state != Placement::State::kOpen ||
+        IsReady(placement, false)) {
+      continue;
+    }
+    if (!StartPlacing(hands_.front(), i, false, world)) return false;
+    hands_.front().actor.Pause(kCorrectAfter);
+    to_correct_.push_back(i);
+    return true;
+  }
+  return false;
+}
+
+bool Demonstrator::LayOutside(World& world) {
+  std::vector<std::string> parts;
+  for (const std::string& type : script_->lay_outside) {
+    for (const std::string& part : FreeParts(type, world)) {
+      parts.push_back(part);
+    }
+  }
+  if (parts.empty()) return false;
+  const std::string& part = AnyOf(parts);
+  const CellLayout& layout = world.layout();
+  std::uniform_real_distribution<double> unit(-0.5, 0.5);
+  Target target;
+  target.X_WO.translation() << layout.workspace.max().x() + kOutsideBy,
+      layout.parts_area.centre.y() + layout.parts_area.size.y() * unit(random_),
+      0;
+  target.X_WO.linear() =
+      AngleAxisd(2 * std::numbers::pi * unit(random_), Vector3d::UnitZ())
+          .toRotationMatrix();
+  target.tilt = kLayTilt;
+  PutOnTable(part, "", target);
+  is_over_ = true;
+  return true;
+}
+
+std::optional<Isometry3d> Demonstrator::PlaceFor(const std::string& part,
+                                                 double min_way,
+                                                 const World& world) {
+  std::vector<Tabletop::Placed> scene;
+  for (const Part& other : world.table().parts()) {
+    scene.push_back({other.name, world.PoseOf(other.name)});
+  }
+  return tabletop_->FreePlace(part, scene, min_way, random_);
+}
+
+void Demonstrator::PutOnTable(const std::string& part,
+                              const std::string& from_site,
+                              const Target& target) {
+  HandActor& actor = hands_[std::uniform_int_distribution<size_t>(
+                                0, hands_.size() - 1)(random_)]
+                         .actor;
+  actor.Take(part, from_site);
+  actor.Put(part, target);
+  actor.GoToRest();
+}
+
+}  // namespace cell

@@ -1,0 +1,174 @@
+#include "services/vtb/script.h"
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+namespace cell {
+namespace {
+
+constexpr double kMm = 1e-3;
+constexpr double kDeg = std::numbers::pi / 180;
+
+std::vector<std::string> NamesOf(const Config& config, const std::string& key) {
+  std::vector<std::string> names;
+  for (const Config& item : config.ItemsOf(key)) {
+    names.push_back(item.As<std::string>());
+  }
+  return names;
+}
+
+CountRange CountOf(const Config& config) {
+  const std::vector<double> range = config.Numbers("count", 2);
+  const CountRange count{static_cast<int>(range[0]),
+                         static_cast<int>(range[1])};
+  if (count.low < 0 || count.high < count.low) {
+    config["count"].Fail("should be [low, high]");
+  }
+  return count;
+}
+
+Manner MannerFromConfig(const Config& config) {
+  Manner manner;
+  manner.speeds = {config.Number("across", 0.05, 2),
+                   config.Number("along", 0.05, 2),
+                   config.Number("turning", 0.1, 10)};
+  manner.speed_spread = config.Number("speed_spread", 0, 0.9);
+  manner.bend = config.Number("bend", 0, 0.2);
+  manner.first_pause = config.Number("first_pause", 0, 60);
+  const std::vector<double> pause = config.Numbers("pause", 2);
+  if (!(pause[0] >= 0 && pause[1] >= pause[0])) {
+    config["pause"].Fail("should be [low, high]");
+  }
+  manner.pause_low = pause[0];
+  manner.pause_high = pause[1];
+  manner.dwell = config.Number("dwell", 0, 10);
+  manner.close_time = config.Number("close_time", 0.05, 10);
+  manner.open_margin = config.Number("open_margin", 0.001, 0.1);
+  manner.insert_speed = config.Number("insert_speed", 0.005, 1);
+  manner.aim_error = config.Number("aim_error", 0, 0.01);
+  manner.turn_rate = config.Number("turn_rate", 0.1, 10);
+  manner.clearance = config.Number("clearance", 0.01, 0.5);
+  manner.table_gap = config.Number("table_gap", 0, 0.5);
+  manner.hands_gap = config.Number("hands_gap", 0, 2);
+  return manner;
+}
+
+template <class Items, class Proj>
+bool AnyIs(const Items& items, const std::string& value, Proj proj) {
+  return std::ranges::find(items, value, proj) != items.end();
+}
+
+PlacementRule RuleFromConfig(const Config& config, const std::string& name,
+                             const PartTable& table) {
+  PlacementRule rule;
+  rule.name = name;
+  rule.part_type = config.Get<std::string>("part");
+  rule.site_type = config.Get<std::string>("site");
+  if (!AnyIs(table.parts(), rule.part_type, &Part::type)) {
+    config["part"].Fail("no part is of type '" + rule.part_type + "'");
+  }
+  if (std::ranges::none_of(table.parts(), [&](const Part& part) {
+        return AnyIs(part.sites, rule.site_type, &Site::type);
+      })) {
+    config["site"].Fail("no site is of type '" + rule.site_type + "'");
+  }
+  rule.after = NamesOf(config, "after");
+  if (config.Has("aim_mm")) {
+    const std::vector<double> aim = config.Numbers("aim_mm", 3);
+    rule.aim = kMm * Eigen::Vector3d(aim[0], aim[1], aim[2]);
+  }
+  rule.press = kMm * config.Number("press_mm", 0, 50);
+  const Config seated = config["seated"];
+  rule.max_height = kMm * seated.Number("height_mm", 0, 50);
+  rule.max_offset = kMm * seated.Number("offset_mm", 0, 50);
+  rule.max_tilt = kDeg * seated.Number("tilt_deg", 0, 90);
+  return rule;
+}
+
+Script ScriptFromConfig(const Config& config, const std::string& name) {
+  Script script;
+  script.name = name;
+  script.num_hands = config.Integer("hands", 1, 2);
+  script.place = NamesOf(config, "place");
+  if (config.Has("take_backs")) {
+    const Config take_backs = config["take_backs"];
+    script.take_backs = CountOf(take_backs);
+    script.take_back_of = NamesOf(take_backs, "of");
+  }
+  if (config.Has("unknown_moves")) {
+    script.unknown_moves = CountOf(config["unknown_moves"]);
+  }
+  if (config.Has("too_early")) {
+    script.too_early = config.Get<std::string>("too_early");
+  }
+  script.lay_outside = NamesOf(config, "lay_outside");
+  return script;
+}
+
+/// Refuses rules that are unknown or wait for themselves.
+void CheckAfter(const Config& config, const DemonstratorBook& book) {
+  const auto key = [&](const std::string& name) {
+    return config["placements"][name]["after"];
+  };
+  for (const auto& [name, rule] : book.rules) {
+    for (const std::string& before : rule.after) {
+      if (!book.rules.contains(before)) {
+        key(name).Fail("no placement '" + before + "'");
+      }
+    }
+  }
+  for (const auto& [name, rule] : book.rules) {
+    std::set<std::string> before;
+    std::vector<std::string> to_visit = rule.after;
+    while (!to_visit.empty()) {
+      const std::string next = to_visit.back();
+      to_visit.pop_back();
+      if (next == name) key(name).Fail("waits for itself");
+      if (!before.insert(next).second) continue;
+      const auto& after = book.rules.at(next).after;
+      to_visit.insert(to_visit.end(), after.begin(), after.end());
+    }
+  }
+}
+
+void CheckScript(const Config& config, const Script& script,
+                 const DemonstratorBook& book) {
+  const auto check = [&](const std::string& key, const std::string& rule) {
+    if (!book.rules.contains(rule)) {
+      config[key].Fail("no placement '" + rule + "'");
+    }
+  };
+  for (const std::string& rule : script.place) {
+    check("place", rule);
+    for (const std::string& before : book.rules.at(rule).after) {
+      if (!AnyIs(script.place, before, std::identity{})) {
+        config["place"].Fail("'" + rule + "' needs '" + before + "'");
+      }
+    }
+  }
+  for (const std::string& rule : script.take_back_of) check("take_backs", rule);
+  if (script.too_early) check("too_early", *script.too_early);
+}
+
+}  // namespace
+
+DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
+                                              const PartTable& table) {
+  DemonstratorBook book;
+  book.goal = config.Get<std::string>("goal");
+  book.manner = MannerFromConfig(config["manner"]);
+  for (const auto& [name, entry] : config["placements"].Entries()) {
+    book.rules.emplace(name, RuleFromConfig(entry, name, table));
+  }
+  CheckAfter(config, book);
+  for (const auto& [name, entry] : config["scripts"].Entries()) {
+    const Script script = ScriptFromConfig(entry, name);
+    CheckScript(entry, script, book);
+    book.scripts.emplace(name, script);
+  }
+  config.Finish();
+  return book;
+}
+
+}  // namespace cell

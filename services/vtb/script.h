@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/config/config.h"
+#include "common/parts/cell_layout.h"
+#include "common/parts/part_table.h"
+#include "services/vtb/hand_path.h"
+
+namespace cell {
+
+/// "Parts of this type go to sites of that type."
+struct PlacementRule {
+  std::string name;
+  std::string part_type;
+  std::string site_type;
+  std::vector<std::string> after;  ///< rules whose parts must be in place
+  Eigen::Vector3d aim = Eigen::Vector3d::Zero();  ///< [m] off the site, in S
+  double press = 0;  ///< [m] beyond the seat that the hand presses to
+  /// A part is seated within these of its site.
+  double max_height = 0, max_offset = 0;  ///< [m]
+  double max_tilt = 0;                    ///< [rad]
+};
+
+struct CountRange {
+  int low = 0, high = 0;
+};
+
+/// What a scripted person does; demonstrators.yaml of a task.
+struct Script {
+  std::string name;
+  int num_hands = 1;
+  std::vector<std::string> place;  ///< rules, in any valid order
+  CountRange take_backs;           ///< placed parts put back on the table ...
+  std::vector<std::string> take_back_of;  ///< ... of these rules
+  CountRange unknown_moves;  ///< parts moved from here to there on the table
+  /// Rule whose part is placed although another must come first, and then
+  /// taken back.
+  std::optional<std::string> too_early;
+  /// Part types of which one is laid down outside the workspace, at the end.
+  std::vector<std::string> lay_outside;
+};
+
+/// How persons move. Ranges are sampled evenly.
+struct Manner {
+  HandPath::Speeds speeds;
+  double speed_spread = 0;  ///< factor 1 -+ spread per person and movement
+  double bend = 0;          ///< [m] sideways, at most
+  double first_pause = 0;   ///< [s]
+  double pause_low = 0, pause_high = 0;  ///< [s] between actions
+  double dwell = 0;         ///< [s] still after gripping and before opening
+  double close_time = 0;    ///< [s] of the fingers
+  double open_margin = 0;   ///< [m] each finger, beyond the part
+  double insert_speed = 0;  ///< [m/s] mean, along the way in
+  double aim_error = 0;     ///< [m] per axis, at most
+  double turn_rate = 0;     ///< [rad/s] of the fingertips' roll
+  double clearance = 0;     ///< [m] above what is passed over
+  double table_gap = 0;     ///< [m] between parts on the table
+  double hands_gap = 0;     ///< [m] between the ways of two hands
+};
+
+struct DemonstratorBook {
+  std::string goal;  ///< of the task's domain, that the persons work for
+  Manner manner;
+  std::map<std::string, PlacementRule> rules;
+  std::map<std::string, Script> scripts;
+
+  /// @throws ConfigError naming file:key; rules that wait for each other are
+  /// refused, and so are types that no part or site has.
+  static DemonstratorBook FromConfig(const Config& config,
+                                     const PartTable& table);
+};
+
+}  // namespace cell

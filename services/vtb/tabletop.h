@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/parts/cell_layout.h"
+#include "common/parts/part_table.h"
+
+namespace cell {
+
+/// What a part takes up, from its shape.
+struct PartExtent {
+  std::vector<Eigen::Vector3d> vertices;   ///< of its pieces, in O
+  std::vector<Eigen::Vector2d> footprint;  ///< convex hull of them in x, y
+  double radius = 0;  ///< of the sphere about O that holds it
+
+  explicit PartExtent(const Part& part);
+  double Lowest(const Eigen::Isometry3d& X_WO) const;   ///< z in W
+  double Highest(const Eigen::Isometry3d& X_WO) const;  ///< z in W
+  /// About the part's origin, in the plane.
+  double RadiusAcross(const Eigen::Isometry3d& X_WO) const;
+};
+
+/// Distance of two convex outlines; 0 if they overlap.
+double DistanceBetween(const std::vector<Eigen::Vector2d>& a,
+                       const std::vector<Eigen::Vector2d>& b);
+
+/// Finds places for upright parts in the parts area.
+class Tabletop {
+ public:
+  struct Placed {
+    std::string part;
+    Eigen::Isometry3d X_WO;
+  };
+  Tabletop(const PartTable& table, const CellLayout& layout, double gap);
+
+  /// Random poses of all parts that are not fixed.
+  /// @throws std::runtime_error if they do not fit in 1000 attempts.
+  std::vector<Placed> Scatter(std::mt19937_64& random) const;
+
+  /// A random place for `part` at least the gap away from all others and
+  /// `min_way` away from where it is.
+  std::optional<Eigen::Isometry3d> FreePlace(const std::string& part,
+                                             const std::vector<Placed>& scene,
+                                             double min_way,
+                                             std::mt19937_64& random) const;
+
+  const PartExtent& ExtentOf(const std::string& part) const {
+    return extents_.at(part);
+  }
+
+ private:
+  std::vector<Eigen::Vector2d> OutlineAt(const Placed& placed) const;
+  std::optional<Placed> TryPlace(
+      const std::string& part,
+      const std::vector<std::vector<Eigen::Vector2d>>& taken,
+      std::mt19937_64& random) const;
+
+  std::vector<std::string> free_parts_;  // the largest first
+  std::map<std::string, PartExtent> extents_;
+  CellLayout::PartsArea area_;
+  double gap_;
+};
+
+}  // namespace cell

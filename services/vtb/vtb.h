@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cell/command_episode_t.hpp"
+#include "common/bus/bus.h"
+#include "common/config/deployment.h"
+#include "services/vtb/demonstrator.h"
+#include "services/vtb/script.h"
+#include "services/vtb/world.h"
+
+namespace cell {
+
+/// The virtual testbed (section IV): owner of time. Steps the world and the
+/// scripted person each tick, tells where everything is and what touches, and
+/// begins and ends episodes, on its own or at an operator's command.
+class Vtb : public Service {
+ public:
+  /// What a person shows.
+  struct Request {
+    std::string demonstration;  ///< script of the book
+    uint64_t seed = 0;
+  };
+  struct Params {
+    std::string task;  ///< name of its folder
+    PartTable parts;
+    CellLayout layout;
+    DemonstratorBook book;
+    PhysicsParams physics;
+    Request first;                   ///< begins at tick 1
+    int32_t truth_period_ticks = 4;  ///< of TRUTH_*
+  };
+
+  /// @throws std::invalid_argument if the book has no such script or a tick is
+  /// not a whole number of the physics' steps.
+  Vtb(Bus& bus, const Params& params);
+
+ private:
+  struct Appointment {
+    int32_t tick;
+    Request request;
+  };
+
+  bool OnCommand(const command_episode_t& message);
+  void OnTick();
+  void Prepare(const Request& request);
+  void PublishEpisode(int8_t phase);
+  void PublishTruth();
+  void End();
+  bool IsAtRest();
+
+  Bus& bus_;
+  Params params_;
+  int steps_per_tick_;
+  World world_;
+  std::shared_ptr<const DemonstratorBook> book_;
+  Request request_;  // of the episode that runs, or ran last
+  std::optional<Demonstrator> demonstrator_;
+  std::optional<Appointment> next_;
+  bool is_running_ = false;
+  int64_t episode_ = 0;    // counts from 1
+  int32_t num_still_ = 0;  // ticks since the person was done
+};
+
+/// By deploy/config/vtb.yaml and the task's files; `demonstration` names the
+/// script that is shown first ("": the configured one).
+std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
+                                 const std::string& demonstration,
+                                 uint64_t seed);
+
+}  // namespace cell

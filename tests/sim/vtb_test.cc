@@ -1,0 +1,178 @@
+#include "services/vtb/vtb.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cell/command_episode_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/truth_contacts_t.hpp"
+#include "cell/truth_poses_t.hpp"
+#include "common/bus/stepper.h"
+
+namespace cell {
+namespace {
+
+/// The testbed on a bus that a test feeds.
+class Bench {
+ public:
+  explicit Bench(const std::string& demonstration = "two_pegs",
+                 uint64_t seed = 1000)
+      : stepper_({.name = "vtb"}),
+        vtb_(MakeVtb(stepper_, Files(), demonstration, seed)) {}
+
+  /// The messages of the next tick, by channel.
+  std::multimap<std::string, Message> Tick(std::vector<Message> inputs = {}) {
+    ++tick_;
+    std::multimap<std::string, Message> outputs;
+    if (stepper_.Accept(tick_, std::move(inputs)) == Stepper::State::kReady) {
+      for (Message& message : stepper_.Run()) {
+        outputs.emplace(message.channel, message);
+      }
+    }
+    return outputs;
+  }
+  bool IsOver() const {
+    return stepper_.end_tick() && tick_ >= *stepper_.end_tick();
+  }
+  int32_t tick() const { return tick_; }
+  Stepper& stepper() { return stepper_; }
+
+  static Deployment Files() {
+    Deployment deployment;
+    deployment.config_dir = CELL_SOURCE_DIR "/deploy/config";
+    deployment.task_dir = CELL_SOURCE_DIR "/deploy/tasks/cranfield";
+    return deployment;
+  }
+
+ private:
+  Stepper stepper_;
+  std::unique_ptr<Service> vtb_;
+  int32_t tick_ = 0;
+};
+
+template <class M>
+M Decode(const Message& message) {
+  M m{};
+  const int size = static_cast<int>(message.bytes->size());
+  EXPECT_EQ(m.decode(message.bytes->data(), 0, size), size);
+  return m;
+}
+
+Message CommandOf(int8_t action, const std::string& demonstration,
+                  int64_t deadline_utime, int32_t tick) {
+  command_episode_t command{};
+  command.deadline_utime = deadline_utime;
+  command.action = action;
+  command.demonstration = demonstration;
+  command.seed = 5;
+  Bytes bytes = Bus::Encode(command);
+  WriteIdentity(tick, 0, tick, bytes);
+  return *MessageFromWire("COMMAND_EPISODE", std::move(bytes));
+}
+
+TEST(Vtb, ShowsAnEpisodeFromTickOneAndEndsTheRun) {
+  Bench bench;
+  int num_truth = 0, end_tick = 0;
+  while (!bench.IsOver() && bench.tick() < 20'000) {
+    const auto outputs = bench.Tick();
+    num_truth += static_cast<int>(outputs.count("TRUTH_POSES"));
+    if (bench.tick() == 1) {
+      ASSERT_EQ(outputs.count("EPISODE"), 1u);
+    }
+    const auto found = outputs.find("EPISODE");
+    if (found == outputs.end()) continue;
+    const auto episode = Decode<episode_t>(found->second);
+    EXPECT_EQ(episode.id, 1);
+    EXPECT_EQ(episode.task, "cranfield");
+    EXPECT_EQ(episode.demonstration, "two_pegs");
+    EXPECT_EQ(episode.seed, 1000);
+    EXPECT_EQ(episode.header.utime, bench.tick() * kTickUs);
+    if (episode.phase == episode_t::END) end_tick = bench.tick();
+  }
+  EXPECT_GT(end_tick, 1000);
+  EXPECT_EQ(bench.tick(), end_tick + 125);
+  EXPECT_EQ(num_truth, bench.tick() / 4);
+}
+
+TEST(Vtb, TruthNamesPartsHandsAndWhatTouches) {
+  Bench bench;
+  bench.Tick();
+  std::multimap<std::string, Message> outputs;
+  while (outputs.count("TRUTH_POSES") == 0) outputs = bench.Tick();
+  const auto poses = Decode<truth_poses_t>(outputs.find("TRUTH_POSES")->second);
+  ASSERT_EQ(poses.bodies.size(), 10u + 6u);
+  EXPECT_EQ(poses.bodies.front().name, "base");
+  EXPECT_EQ(poses.bodies.back().name, "hand_right.fingers");
+  const auto contacts =
+      Decode<truth_contacts_t>(outputs.find("TRUTH_CONTACTS")->second);
+  EXPECT_EQ(contacts.contacts.size(), 9u);  // each free part on the table
+}
+
+TEST(Vtb, TwoRunsPublishTheSameBytes) {
+  std::vector<int64_t> digests[2];
+  for (auto& run : digests) {
+    Bench bench("assembly_two_hands", 1001);
+    while (bench.tick() < 1000) {
+      for (const auto& [channel, message] : bench.Tick()) {
+        run.push_back(DigestOf(*message.bytes));
+      }
+    }
+  }
+  EXPECT_GT(digests[0].size(), 500u);
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
+TEST(Vtb, AStartCommandEndsTheEpisodeAndBeginsAnotherAfterAGap) {
+  Bench bench;
+  while (bench.tick() < 50) bench.Tick();
+  std::vector<std::pair<int32_t, episode_t>> episodes;
+  const auto tick = [&](std::vector<Message> inputs) {
+    const auto outputs = bench.Tick(std::move(inputs));
+    if (const auto found = outputs.find("EPISODE"); found != outputs.end()) {
+      episodes.emplace_back(bench.tick(), Decode<episode_t>(found->second));
+    }
+  };
+  tick({CommandOf(command_episode_t::START, "assembly", 1'000'000, 51)});
+  while (bench.tick() < 400 && !bench.IsOver()) tick({});
+  EXPECT_FALSE(bench.IsOver());
+  ASSERT_EQ(episodes.size(), 2u);
+  EXPECT_EQ(episodes[0].first, 51);
+  EXPECT_EQ(episodes[0].second.phase, episode_t::END);
+  EXPECT_EQ(episodes[1].first, 51 + 125);
+  EXPECT_EQ(episodes[1].second.id, 2);
+  EXPECT_EQ(episodes[1].second.demonstration, "assembly");
+  EXPECT_EQ(episodes[1].second.seed, 5);
+}
+
+TEST(Vtb, RejectsCommandsThatAreLateOrMakeNoSense) {
+  Bench bench;
+  while (bench.tick() < 50) bench.Tick();
+  const auto rejects = [&](const Message& command) {
+    const auto before = bench.stepper().num_rejected();
+    const auto outputs = bench.Tick({command});
+    return bench.stepper().num_rejected() != before &&
+           outputs.count("EPISODE") == 0;
+  };
+  EXPECT_TRUE(rejects(CommandOf(command_episode_t::START, "assembly", 1, 51)));
+  EXPECT_TRUE(
+      rejects(CommandOf(command_episode_t::START, "dance", 9'000'000, 52)));
+  EXPECT_TRUE(rejects(CommandOf(7, "assembly", 9'000'000, 53)));
+}
+
+TEST(Vtb, AnEndCommandEndsTheRun) {
+  Bench bench;
+  while (bench.tick() < 50) bench.Tick();
+  const auto outputs =
+      bench.Tick({CommandOf(command_episode_t::END, "", 9'000'000, 51)});
+  EXPECT_EQ(outputs.count("EPISODE"), 1u);
+  while (!bench.IsOver() && bench.tick() < 1000) bench.Tick();
+  EXPECT_EQ(bench.tick(), 51 + 125);
+}
+
+}  // namespace
+}  // namespace cell

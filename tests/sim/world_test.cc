@@ -1,0 +1,194 @@
+#include "services/vtb/world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+World MakeWorld() {
+  const std::string task = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
+  return World(PartTable::FromConfig(Config::Load(task + "parts.yaml")),
+               CellLayout::FromConfig(Config::Load(task + "cell.yaml")), {});
+}
+
+Isometry3d Upright(double x, double y, double z) {
+  return Isometry3d(Eigen::Translation3d(x, y, z));
+}
+
+/// Everything on the table, well apart.
+void Scatter(World& world) {
+  world.Place("round_peg_1", Upright(-0.2, -0.3, 0.045));
+  world.Place("round_peg_2", Upright(-0.1, -0.3, 0.045));
+  world.Place("square_peg_1", Upright(0.0, -0.3, 0.045));
+  world.Place("square_peg_2", Upright(0.1, -0.3, 0.045));
+  world.Place("shaft", Upright(0.2, -0.3, 0.045));
+  world.Place("separator", Upright(-0.3, -0.45, 0));
+  world.Place("pendulum", Upright(0.45, -0.45, 0));
+  world.Place("head", Upright(0.35, -0.3, 0));
+  world.Place("face_plate", Upright(0.1, -0.5, 0));
+}
+
+void Seat(World& world, const std::string& part, const std::string& name) {
+  const Site& site = *world.table().FindSite(name);
+  world.Place(part, world.PoseOf(site.host) * site.X_HS);
+}
+
+void SeatAll(World& world) {
+  for (const auto& [part, site] :
+       std::vector<std::pair<std::string, std::string>>{
+           {"round_peg_1", "base.round_1"},
+           {"round_peg_2", "base.round_2"},
+           {"square_peg_1", "base.square_1"},
+           {"square_peg_2", "base.square_2"},
+           {"shaft", "base.shaft"},
+           {"separator", "base.separator"},
+           {"pendulum", "base.pendulum"},
+           {"head", "pendulum.head"},
+           {"face_plate", "base.face_plate"}}) {
+    Seat(world, part, site);
+  }
+}
+
+double LargestShift(const std::vector<BodyPose>& a,
+                    const std::vector<BodyPose>& b) {
+  double shift = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    shift = std::max(
+        shift, (a[i].X_WB.translation() - b[i].X_WB.translation()).norm());
+  }
+  return shift;
+}
+
+bool AreSame(const std::vector<BodyPose>& a, const std::vector<BodyPose>& b) {
+  return std::ranges::equal(a, b, [](const BodyPose& p, const BodyPose& q) {
+    return p.name == q.name && p.X_WB.matrix() == q.X_WB.matrix();
+  });
+}
+
+TEST(World, PartsStandStillOnTheTable) {
+  World world = MakeWorld();
+  Scatter(world);
+  const std::vector<BodyPose> before = world.Bodies();
+  world.Run(1500);
+  EXPECT_LT(LargestShift(before, world.Bodies()), 2e-4);
+}
+
+TEST(World, PartsStayInTheirSeats) {
+  World world = MakeWorld();
+  SeatAll(world);
+  const std::vector<BodyPose> before = world.Bodies();
+  world.Run(1500);
+  EXPECT_LT(LargestShift(before, world.Bodies()), 5e-4);
+}
+
+TEST(World, ContactForcesCarryTheWeight) {
+  World world = MakeWorld();
+  Scatter(world);
+  world.Run(1000);
+  double on_table = 0, weight = 0;
+  for (const BodyContact& contact : world.Contacts()) {
+    EXPECT_LT(contact.first, contact.second);
+    if (contact.second == kTableName) on_table += contact.normal_force;
+  }
+  for (const Part& part : world.table().parts()) {
+    if (part.is_fixed) continue;
+    weight += 9.81 * part.density * MomentsOf(part.pieces).volume;
+  }
+  EXPECT_NEAR(on_table, weight, 0.01 * weight);
+}
+
+TEST(World, AHandIsNoticedButDoesNotPush) {
+  World world = MakeWorld();
+  Scatter(world);
+  world.Run(200);
+  const Isometry3d before = world.PoseOf("shaft");
+  world.MoveHand("hand_left", before * Upright(0, 0, 0.03), 0.03);
+  world.Run(100);
+  const auto contacts = world.Contacts();
+  const auto found = std::ranges::find_if(contacts, [](const auto& contact) {
+    return contact.first == "hand_left.thumb" && contact.second == "shaft";
+  });
+  ASSERT_NE(found, contacts.end());
+  EXPECT_EQ(found->normal_force, 0);
+  EXPECT_LT((world.PoseOf("shaft").translation() - before.translation()).norm(),
+            1e-4);
+}
+
+TEST(World, AHeldPartFollowsItsHand) {
+  World world = MakeWorld();
+  Scatter(world);
+  Isometry3d X_WG = world.PoseOf("shaft") * Upright(0, 0, 0.032);
+  world.MoveHand("hand_right", X_WG, 0.04);
+  world.Run(8);
+  world.Grip("hand_right", "shaft");
+  EXPECT_EQ(world.HeldBy("hand_right"), "shaft");
+  for (int tick = 0; tick < 125; ++tick) {
+    X_WG.translation() += Vector3d(0.0016, 0, 0.0016);  // 0.28 m/s
+    world.MoveHand("hand_right", X_WG, 0.04);
+    world.Run(8);
+    const Vector3d p_GO =
+        (X_WG.inverse() * world.PoseOf("shaft")).translation();
+    EXPECT_LT((p_GO - Vector3d(0, 0, -0.032)).norm(), tick < 25 ? 0.006 : 1e-3)
+        << tick;
+  }
+  world.Release("hand_right");
+  EXPECT_FALSE(world.HeldBy("hand_right"));
+}
+
+/// Someone holds a part in mid-air while others are about to fall.
+World Busy() {
+  World world = MakeWorld();
+  SeatAll(world);
+  world.Place("square_peg_1", Upright(0.3, -0.3, 0.08));
+  world.MoveHand(
+      "hand_right",
+      world.PoseOf("head") * Isometry3d(Eigen::Translation3d(0, 0, 0.018)),
+      0.06);
+  world.Run(8);
+  world.Grip("hand_right", "head");
+  return world;
+}
+
+void GoOn(World& world, int ticks) {
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.MoveHand("hand_left", Upright(-0.3, 0.001 * tick, 0.3), 0.05);
+    world.Roll("hand_right", 0.01 * tick);
+    world.Run(8);
+  }
+}
+
+TEST(World, ASnapshotContinuesBitForBit) {
+  World world = Busy();
+  GoOn(world, 20);
+  const World::Snapshot snapshot = world.Save();
+  GoOn(world, 60);
+  const std::vector<BodyPose> first = world.Bodies();
+
+  world.Restore(snapshot);
+  GoOn(world, 60);
+  EXPECT_TRUE(AreSame(first, world.Bodies()));
+
+  World other = MakeWorld();
+  other.Restore(snapshot);
+  GoOn(other, 60);
+  EXPECT_TRUE(AreSame(first, other.Bodies()));
+}
+
+TEST(World, TwoRunsAreBitEqual) {
+  World a = Busy(), b = Busy();
+  GoOn(a, 60);
+  GoOn(b, 60);
+  EXPECT_TRUE(AreSame(a.Bodies(), b.Bodies()));
+}
+
+}  // namespace
+}  // namespace cell

@@ -1,0 +1,56 @@
+#include "services/vtb/script.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace cell {
+namespace {
+
+constexpr char kTask[] = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
+
+std::string ShippedText() {
+  std::ifstream file(std::string(kTask) + "demonstrators.yaml");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string ErrorOf(const std::string& what, const std::string& by) {
+  std::string text = ShippedText();
+  const size_t at = text.find(what);
+  if (at == std::string::npos) return "not found: " + what;
+  text.replace(at, what.size(), by);
+  const PartTable table =
+      PartTable::FromConfig(Config::Load(std::string(kTask) + "parts.yaml"));
+  try {
+    DemonstratorBook::FromConfig(Config::Parse(text, "book.yaml"), table);
+    return "";
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+}
+
+TEST(DemonstratorBook, LoadsTheShippedTask) {
+  EXPECT_EQ(ErrorOf("goal: ", "goal: "), "");
+}
+
+TEST(DemonstratorBook, RefusesWhatItDoesNotKnowByFileAndKey) {
+  using testing::StartsWith;
+  EXPECT_THAT(ErrorOf("bend: ", "bent: "),
+              StartsWith("book.yaml:manner.bend: missing"));
+  EXPECT_THAT(ErrorOf("after: [shaft]", "after: [shift]"),
+              StartsWith("book.yaml:placements.pendulum.after"));
+  EXPECT_THAT(ErrorOf("after: [shaft]", "after: [head]"),
+              testing::HasSubstr("waits for itself"));
+  EXPECT_THAT(ErrorOf("site: shaft_hole", "site: shaft_whole"),
+              StartsWith("book.yaml:placements.shaft.site"));
+  EXPECT_THAT(ErrorOf("place: [round_pegs]", "place: [head]"),
+              StartsWith("book.yaml:scripts.two_pegs.place"));
+}
+
+}  // namespace
+}  // namespace cell

@@ -1,0 +1,3 @@
+cell_add_test(unit/thread_engagement_test.cc LINK cell_vtb)
+cell_add_test(unit/hand_path_test.cc LINK cell_vtb)
+cell_add_test(unit/script_test.cc LINK cell_vtb)
