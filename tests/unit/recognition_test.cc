@@ -183,14 +183,11 @@ TEST_F(RecognitionTest, PuttingAPartBackWhereItWasIsNoAction) {
 }
 
 TEST_F(RecognitionTest, ATurnThatCannotBeSeenIsNoMove) {
+  const Eigen::Isometry3d X_WO = stage_.PoseOf("round_peg_1");
   const Eigen::Isometry3d turn(
       Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()));
   EXPECT_THAT(Manipulate("round_peg_1",
-                         [&] {
-                           stage_.StandAt("round_peg_1", -0.2, -0.6);
-                           stage_.Put("round_peg_1",
-                                      stage_.PoseOf("round_peg_1") * turn);
-                         }),
+                         [&] { stage_.Put("round_peg_1", X_WO * turn); }),
               IsEmpty());
 }
 

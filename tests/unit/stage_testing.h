@@ -46,15 +46,22 @@ struct ShippedTask {
 class Stage {
  public:
   explicit Stage(const ShippedTask& task) : task_(task) {
-    int place = 0;
+    constexpr double kLeft = -0.38, kRight = 0.5, kGap = 0.04;
+    double x = kLeft, y = -0.58;
     for (const Part& part : task_.parts.parts()) {
-      shapes_.emplace(part.name, PartShape(part));
+      const PartShape& shape =
+          shapes_.emplace(part.name, PartShape(part)).first->second;
       if (part.is_fixed) {
         poses_[part.name] = task_.layout.pedestal.X_WP;
         continue;
       }
-      StandAt(part.name, -0.2 + 0.12 * (place % 5), -0.6 + 0.3 * (place / 5));
-      ++place;
+      const double width = shape.box().sizes().x();
+      if (x + width > kRight) {
+        x = kLeft;
+        y += 0.38;
+      }
+      StandAt(part.name, x + width / 2, y);
+      x += width + kGap;
     }
   }
 

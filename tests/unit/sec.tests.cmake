@@ -1,0 +1,1 @@
+cell_add_test(unit/sec_messages_test.cc LINK cell_sec)

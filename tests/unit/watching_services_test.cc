@@ -1,0 +1,344 @@
+// tracker, sec_builder, recognizer and predicate_estimator on steppers, fed
+// with a scripted world.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/action_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/key_frame_t.hpp"
+#include "cell/predicates_t.hpp"
+#include "cell/status_t.hpp"
+#include "cell/tracks_t.hpp"
+#include "cell/truth_poses_t.hpp"
+#include "common/bus/stepper.h"
+#include "common/geometry/pose.h"
+#include "services/predicate_estimator/predicate_estimator.h"
+#include "services/recognizer/recognizer.h"
+#include "services/sec_builder/sec_builder.h"
+#include "services/tracker/tracker.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Translation3d;
+using Eigen::Vector3d;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+template <class M>
+M Decoded(const Message& message) {
+  M decoded{};
+  EXPECT_EQ(decoded.decode(message.bytes->data(), 0,
+                           static_cast<int>(message.bytes->size())),
+            static_cast<int>(message.bytes->size()));
+  return decoded;
+}
+
+// The four services; a message of tick k reaches the others in k + 1.
+class Watchers {
+ public:
+  Watchers() {
+    const Deployment deployment = ShippedDeployment();
+    Add("tracker", "tracker_ideal", MakeTracker, deployment);
+    Add("sec_builder", "", MakeSecBuilder, deployment);
+    Add("recognizer", "", MakeRecognizer, deployment);
+    Add("predicate_estimator", "", MakePredicateEstimator, deployment);
+  }
+
+  /// Makes a tick with these messages of the clock's.
+  template <class... M>
+  void Tick(const std::pair<const char*, M>&... clocks) {
+    std::vector<Message> inputs = std::move(sent_);
+    sent_.clear();
+    (inputs.push_back(Clocks(clocks.first, clocks.second)), ...);
+    for (const auto& stepper : steppers_) {
+      std::vector<Message> wanted;
+      for (const Message& message : inputs) {
+        if (stepper->Wants(message.channel)) wanted.push_back(message);
+      }
+      if (stepper->Accept(tick_, wanted) != Stepper::State::kReady) continue;
+      for (Message& message : stepper->Run()) {
+        sent_.push_back(message);
+        log_.push_back(message);
+      }
+    }
+    ++tick_;
+  }
+
+  template <class M>
+  std::vector<M> Sent(const std::string& channel) const {
+    std::vector<M> messages;
+    for (const Message& message : log_) {
+      if (message.channel == channel) messages.push_back(Decoded<M>(message));
+    }
+    return messages;
+  }
+  const std::vector<Message>& log() const { return log_; }
+  int32_t tick() const { return tick_; }
+  int64_t NumRejected() const {
+    int64_t count = 0;
+    for (const auto& stepper : steppers_) {
+      for (const auto& [channel, n] : stepper->num_rejected()) count += n;
+    }
+    return count;
+  }
+
+ private:
+  template <class Maker>
+  void Add(const char* name, const char* role, Maker maker,
+           const Deployment& deployment) {
+    Stepper::Params params;
+    params.name = name;
+    params.truth_role = role;
+    params.sender = static_cast<int32_t>(steppers_.size()) + 1;
+    steppers_.push_back(std::make_unique<Stepper>(params));
+    services_.push_back(maker(*steppers_.back(), deployment));
+  }
+  template <class M>
+  Message Clocks(const char* channel, M message) {
+    message.header.tick = tick_;
+    return *MessageFromWire(channel, Bus::Encode(message));
+  }
+
+  std::vector<std::unique_ptr<Stepper>> steppers_;
+  std::vector<std::unique_ptr<Service>> services_;
+  std::vector<Message> sent_;
+  std::vector<Message> log_;
+  int32_t tick_ = 0;
+};
+
+// The world: parts on a stage, and a right hand that grasps.
+class World {
+ public:
+  explicit World(const ShippedTask& task) : task_(task), stage_(task) {}
+
+  truth_poses_t Truth(int64_t utime) const {
+    truth_poses_t truth{};
+    truth.header.utime = utime;
+    const auto add = [&](const std::string& name, const Isometry3d& X_WB) {
+      body_pose_t& body = truth.bodies.emplace_back();
+      body.name = name;
+      body.pose_world_body = PoseToMessage(X_WB);
+    };
+    for (const Track& part : stage_.AllTracked().tracks) {
+      add(part.name, part.X_WO);
+    }
+    for (const auto& hand : task_.layout.hands) {
+      const bool is_right = hand.name == "hand_right";
+      const Isometry3d X_WG =
+          is_right ? X_WG_ : Isometry3d(Translation3d(hand.p_WG_rest));
+      const double half = (is_right ? opening_ : 0.1) / 2;
+      const CellLayout& l = task_.layout;
+      add(hand.name + ".palm", X_WG * Translation3d(0, 0, l.palm.z));
+      add(hand.name + ".thumb",
+          X_WG * Translation3d(-half - l.thumb.half_extents.x(), 0, l.thumb.z));
+      add(hand.name + ".fingers",
+          X_WG *
+              Translation3d(half + l.fingers.half_extents.x(), 0, l.fingers.z));
+    }
+    truth.num_bodies = static_cast<int32_t>(truth.bodies.size());
+    return truth;
+  }
+
+  void Grasp(const std::string& part) {
+    const cell::Grasp& grasp = task_.parts.Find(part)->grasps.front();
+    X_WG_ = stage_.PoseOf(part) * grasp.X_OG;
+    opening_ = grasp.width;
+  }
+  void Withdraw() {
+    X_WG_ = Translation3d(0.6, -0.3, 0.4);
+    opening_ = 0.1;
+  }
+  Stage& stage() { return stage_; }
+
+ private:
+  const ShippedTask& task_;
+  Stage stage_;
+  Isometry3d X_WG_ = Isometry3d(Translation3d(0.6, -0.3, 0.4));
+  double opening_ = 0.1;
+};
+
+class WatchingServicesTest : public testing::Test {
+ protected:
+  void Begin() {
+    episode_t episode{};
+    episode.header.utime = now();
+    episode.phase = episode_t::START;
+    watchers_->Tick(std::pair{"EPISODE", episode},
+                    std::pair{"TRUTH_POSES", world_->Truth(now())});
+  }
+  void RunFor(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      watchers_->Tick(std::pair{"TRUTH_POSES", world_->Truth(now())});
+    }
+  }
+  void PutBy(const std::string& part, const std::function<void()>& move) {
+    world_->Grasp(part);
+    RunFor(62);
+    world_->stage().Lift(part, 0.2);
+    world_->Grasp(part);
+    RunFor(62);
+    move();
+    world_->Grasp(part);
+    RunFor(62);
+    world_->Withdraw();
+    RunFor(62);
+  }
+  void Demonstrate() {
+    Begin();
+    RunFor(62);
+    PutBy("round_peg_1",
+          [&] { world_->stage().Seat("round_peg_1", "base.round_1"); });
+    PutBy("shaft", [&] { world_->stage().Seat("shaft", "base.shaft"); });
+    PutBy("shaft", [&] { world_->stage().StandAt("shaft", 0.1, -0.5); });
+    PutBy("head", [&] { world_->stage().StandAt("head", 0.25, -0.5); });
+  }
+  int64_t now() const { return watchers_->tick() * kTickUs; }
+
+  ShippedTask task_;
+  std::optional<World> world_{std::in_place, task_};
+  std::unique_ptr<Watchers> watchers_ = std::make_unique<Watchers>();
+};
+
+TEST_F(WatchingServicesTest, TracksComeAtCameraRate) {
+  Begin();
+  RunFor(120);
+  const auto tracks = watchers_->Sent<tracks_t>("TRACKS");
+  ASSERT_THAT(tracks, SizeIs(11));
+  for (const tracks_t& t : tracks) {
+    EXPECT_EQ(t.header.tick % 12, 0);
+    EXPECT_EQ(t.header.utime, t.header.tick * kTickUs);
+    EXPECT_EQ(t.num_tracks, 12);
+  }
+}
+
+TEST_F(WatchingServicesTest, ManipulationsAreRecognised) {
+  Demonstrate();
+  std::vector<std::string> seen;
+  for (const action_t& action : watchers_->Sent<action_t>("ACTION")) {
+    EXPECT_EQ(action.index, static_cast<int64_t>(seen.size()));
+    EXPECT_THAT(action.hands, ElementsAre("hand_right"));
+    std::string text =
+        std::to_string(action.kind) + " " + action.part + " " + action.name;
+    for (const std::string& argument : action.arguments) text += " " + argument;
+    seen.push_back(text);
+  }
+  EXPECT_THAT(
+      seen, ElementsAre("0 round_peg_1 PlaceRoundPeg round_peg_1 base.round_1",
+                        "0 shaft PlaceRoundPeg shaft base.shaft",
+                        "1 shaft PlaceRoundPeg shaft base.shaft", "2 head "));
+  EXPECT_EQ(watchers_->NumRejected(), 0);
+}
+
+TEST_F(WatchingServicesTest, EveryKeyFrameHasItsPredicatesInTheSameOrder) {
+  Demonstrate();
+  const auto frames = watchers_->Sent<key_frame_t>("KEY_FRAME");
+  const auto predicates = watchers_->Sent<predicates_t>("PREDICATES");
+  ASSERT_EQ(predicates.size(), frames.size());
+  EXPECT_GT(frames.size(), 10u);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].index, static_cast<int64_t>(i));
+    EXPECT_EQ(predicates[i].key_frame, frames[i].index);
+    EXPECT_EQ(predicates[i].header.utime, frames[i].header.utime);
+    EXPECT_EQ(predicates[i].header.tick, frames[i].header.tick + 1);
+    for (const literal_t& literal : predicates[i].literals) {
+      EXPECT_NE(literal.value, literal_t::UNKNOWN) << literal.predicate;
+    }
+  }
+}
+
+TEST_F(WatchingServicesTest, ANewEpisodeStartsAfresh) {
+  Demonstrate();
+  const size_t num_before = watchers_->Sent<key_frame_t>("KEY_FRAME").size();
+  world_->stage().StandAt("round_peg_1", 0.4, -0.5);
+  Begin();
+  RunFor(62);
+  const auto frames = watchers_->Sent<key_frame_t>("KEY_FRAME");
+  ASSERT_EQ(frames.size(), num_before + 1);
+  EXPECT_EQ(frames.back().index, 0);
+  PutBy("round_peg_1",
+        [&] { world_->stage().Seat("round_peg_1", "base.round_2"); });
+  const auto actions = watchers_->Sent<action_t>("ACTION");
+  EXPECT_EQ(actions.back().index, 0);
+  EXPECT_THAT(actions.back().arguments,
+              ElementsAre("round_peg_1", "base.round_2"));
+}
+
+TEST_F(WatchingServicesTest, SameInputsGiveTheSameBytes) {
+  std::vector<std::vector<Message>> logs;
+  for (int run = 0; run < 2; ++run) {
+    watchers_ = std::make_unique<Watchers>();
+    world_.emplace(task_);
+    Demonstrate();
+    logs.push_back(watchers_->log());
+  }
+  ASSERT_EQ(logs[0].size(), logs[1].size());
+  for (size_t i = 0; i < logs[0].size(); ++i) {
+    EXPECT_EQ(logs[0][i].channel, logs[1][i].channel);
+    EXPECT_EQ(logs[0][i].tick, logs[1][i].tick);
+    ASSERT_EQ(*logs[0][i].bytes, *logs[1][i].bytes);
+  }
+}
+
+TEST_F(WatchingServicesTest, BadMessagesAreCountedAndChangeNothing) {
+  Demonstrate();
+  const size_t num_before = watchers_->log().size();
+  truth_poses_t truth = world_->Truth(now());
+  truth.bodies[0].pose_world_body.position[0] =
+      std::numeric_limits<double>::quiet_NaN();
+  tracks_t tracks = watchers_->Sent<tracks_t>("TRACKS").back();
+  tracks.tracks[0].name = "nobody";
+  key_frame_t frame = watchers_->Sent<key_frame_t>("KEY_FRAME").back();
+  frame.relations[0].relation = 5;
+  episode_t episode{};
+  episode.phase = 7;
+  watchers_->Tick(std::pair{"TRUTH_POSES", truth}, std::pair{"TRACKS", tracks},
+                  std::pair{"KEY_FRAME", frame}, std::pair{"EPISODE", episode});
+  // truth 1, tracks 2, key frame 2, episode 4
+  EXPECT_EQ(watchers_->NumRejected(), 9);
+  size_t num_status = 0;
+  for (size_t i = num_before; i < watchers_->log().size(); ++i) {
+    num_status += watchers_->log()[i].channel == "STATUS";
+  }
+  EXPECT_EQ(watchers_->log().size() - num_before, num_status);
+}
+
+TEST_F(WatchingServicesTest, RepeatedAndOldMessagesAreRejected) {
+  Demonstrate();
+  const auto frames = watchers_->Sent<key_frame_t>("KEY_FRAME");
+  const auto tracks = watchers_->Sent<tracks_t>("TRACKS");
+  const size_t num_actions = watchers_->Sent<action_t>("ACTION").size();
+  watchers_->Tick(std::pair{"KEY_FRAME", frames.back()},
+                  std::pair{"TRACKS", tracks[tracks.size() - 2]});
+  watchers_->Tick(std::pair{"KEY_FRAME", frames[3]});
+  EXPECT_EQ(watchers_->NumRejected(), 3);
+  EXPECT_EQ(watchers_->Sent<action_t>("ACTION").size(), num_actions);
+}
+
+TEST_F(WatchingServicesTest, MidRunServicesStartWithoutAnEpisode) {
+  RunFor(62);
+  EXPECT_THAT(watchers_->Sent<key_frame_t>("KEY_FRAME"), SizeIs(1));
+  EXPECT_THAT(watchers_->Sent<predicates_t>("PREDICATES"), SizeIs(1));
+  EXPECT_THAT(watchers_->Sent<action_t>("ACTION"), IsEmpty());
+}
+
+TEST(WatchingServices, GroundTruthIsReadByTheIdealTrackerOnly) {
+  Stepper::Params params;
+  params.name = "tracker";
+  Stepper stepper(params);
+  EXPECT_THROW(MakeTracker(stepper, ShippedDeployment()), std::logic_error);
+}
+
+}  // namespace
+}  // namespace cell
