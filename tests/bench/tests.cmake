@@ -9,3 +9,9 @@ if(TARGET cell_cli)
   target_link_libraries(whole_cell_bench PRIVATE
     cell_cli mujoco::mujoco fmt::fmt cell_warnings)
 endif()
+add_executable(watching_bench bench/watching_bench.cc)
+target_include_directories(watching_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(watching_bench PRIVATE
+  CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(watching_bench PRIVATE cell_tracker cell_sec_builder
+  cell_recognizer benchmark::benchmark cell_warnings)

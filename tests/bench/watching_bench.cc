@@ -1,0 +1,126 @@
+// What watching costs: proximities of a frame, and what a key frame sets off.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "services/recognizer/recognition.h"
+#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/proximity.h"
+#include "services/tracker/ideal_tracker.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+enum Scenery { kBegin, kAssembled, kHandsAtWork };
+
+struct Watched {
+  explicit Watched(int scenery) {
+    if (scenery != kBegin) {
+      for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
+                                       {"round_peg_1", "base.round_1"},
+                                       {"round_peg_2", "base.round_2"},
+                                       {"square_peg_1", "base.square_1"},
+                                       {"square_peg_2", "base.square_2"},
+                                       {"pendulum", "base.pendulum"},
+                                       {"separator", "base.separator"},
+                                       {"head", "pendulum.head"},
+                                       {"face_plate", "base.face_plate"}}) {
+        stage.Seat(part, site);
+      }
+    }
+    TruthPoses truth;
+    for (const Track& track : stage.AllTracked().tracks) {
+      truth.poses[track.name] = track.X_WO;
+    }
+    double side = -1;
+    for (const CellLayout::Hand& hand : task.layout.hands) {
+      Eigen::Isometry3d X_WG(Eigen::Translation3d(hand.p_WG_rest));
+      if (scenery == kHandsAtWork) {
+        X_WG.translation() << 0.05 * side, -0.04, 0.225;
+      }
+      side = 1;
+      for (const auto& [body, box, x] :
+           {std::tuple{".palm", &task.layout.palm, 0.0},
+            {".thumb", &task.layout.thumb, -0.02},
+            {".fingers", &task.layout.fingers, 0.02}}) {
+        truth.poses[hand.name + body] =
+            X_WG * Eigen::Translation3d(x, 0, box->z);
+      }
+    }
+    tracks = IdealTracker(task.cast, task.layout, {}).Update(truth);
+  }
+
+  ShippedTask task;
+  Stage stage{task};
+  Tracks tracks;
+};
+
+void MeasureProximities(benchmark::State& state) {
+  const Watched watched(static_cast<int>(state.range(0)));
+  const ProximitySensor sensor(watched.task.cast, watched.task.parts, {});
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sensor.Measure(watched.tracks));
+  }
+}
+BENCHMARK(MeasureProximities)
+    ->Arg(kBegin)
+    ->Arg(kAssembled)
+    ->Arg(kHandsAtWork)
+    ->Unit(benchmark::kMicrosecond);
+
+void UpdateEventChain(benchmark::State& state) {
+  Watched watched(kHandsAtWork);
+  const Proximities proximities =
+      ProximitySensor(watched.task.cast, watched.task.parts, {})
+          .Measure(watched.tracks);
+  EventChain chain(watched.task.cast, {});
+  for (auto _ : state) {
+    watched.tracks.utime += 96'000;
+    benchmark::DoNotOptimize(chain.Update(watched.tracks, proximities));
+  }
+}
+BENCHMARK(UpdateEventChain)->Unit(benchmark::kMicrosecond);
+
+void TracksThroughTheirMessage(benchmark::State& state) {
+  const Watched watched(kBegin);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(TracksFromMessage(
+        TracksToMessage(watched.tracks, watched.task.cast), watched.task.cast));
+  }
+}
+BENCHMARK(TracksThroughTheirMessage)->Unit(benchmark::kMicrosecond);
+
+void SenseAllPredicates(benchmark::State& state) {
+  Watched watched(static_cast<int>(state.range(0)));
+  const auto sensor = watched.task.Sensor();
+  const Scene scene = SceneOf(watched.stage.Frame(), watched.task.cast);
+  for (auto _ : state) benchmark::DoNotOptimize(sensor->Sense(scene));
+}
+BENCHMARK(SenseAllPredicates)
+    ->Arg(kBegin)
+    ->Arg(kAssembled)
+    ->Unit(benchmark::kMicrosecond);
+
+// Two key frames: picked up, and let go.
+void RecogniseATouch(benchmark::State& state) {
+  Watched watched(kAssembled);
+  Recognition recognition(
+      watched.task.cast, watched.task.parts,
+      std::make_shared<const Gallery>(watched.task.domain, watched.task.parts),
+      watched.task.Sensor(), {});
+  watched.stage.Hold("hand_left", "shaft");
+  const KeyFrame held = watched.stage.Frame();
+  watched.stage.LetGo("hand_left", "shaft");
+  const KeyFrame placed = watched.stage.Frame();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(recognition.Update(held));
+    benchmark::DoNotOptimize(recognition.Update(placed));
+  }
+}
+BENCHMARK(RecogniseATouch)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace cell
+
+BENCHMARK_MAIN();
