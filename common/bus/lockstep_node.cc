@@ -50,7 +50,7 @@ void LockstepNode::PutTick(const tick_t& tick) {
       join_tick_ = next_tick_ = tick.header.tick;
     } else if (joined.nonce != nonce_ && has_joined()) {
       throw BusError(name_ + ": another process has joined under this name; "
-                     "run each service once");
+                     "run each service once, each cell on its own port (--url)");
     }
   }
   if (!has_joined()) return;

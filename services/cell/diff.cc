@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "common/bus/run_log.h"
 #include "services/cell/commands.h"

@@ -19,7 +19,8 @@ struct SimOptions {
 // The deaths and joins of a recorded run.
 std::vector<SimBus::Outage> OutagesIn(const std::string& run_dir) {
   std::vector<SimBus::Outage> outages;
-  for (const auto& [tick, entry] : RunLog::Load(run_dir).ticks()) {
+  const RunLog log = RunLog::Load(run_dir);
+  for (const auto& [tick, entry] : log.ticks()) {
     for (const joined_t& joined : entry.manifest.joined) {
       if (joined.death_tick >= 0) {
         outages.push_back({joined.name, joined.death_tick, tick});

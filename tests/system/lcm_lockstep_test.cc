@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <mutex>
 #include <thread>
 
 #include "common/bus/bus_error.h"
@@ -59,7 +60,8 @@ class Listener {
 // The toy cell over LCM; what its threads threw.
 class Cell {
  public:
-  explicit Cell(LcmAddress address) : address_(address) {}
+  explicit Cell(LcmAddress address, double giveup_s = 30)
+      : address_(address), giveup_s_(giveup_s) {}
   ~Cell() {
     stop_ = true;
     for (std::thread& thread : threads_) thread.join();
@@ -77,7 +79,7 @@ class Cell {
       Guard([&] {
         RunLcmClock(address_, ToyRoster(),
                     ToyFactories(kNumTicks).at("source"),
-                    {.giveup_s = 30}, stop_);
+                    {.giveup_s = giveup_s_}, stop_);
       });
       is_clock_done_ = true;
     });
@@ -98,6 +100,7 @@ class Cell {
   }
 
   LcmAddress address_;
+  double giveup_s_;
   std::atomic<bool> stop_ = false;
   std::atomic<bool> is_clock_done_ = false;
   std::mutex mutex_;
@@ -150,8 +153,9 @@ TEST_F(LcmLockstep, ForgedDatagramsAreNotHeeded) {
 
 TEST_F(LcmLockstep, TwoCellsOnOnePortSayWhatToDo) {
   const LcmAddress address{.port = 7731};
-  Cell one(address);
-  Cell two(address);
+  // Whichever is left without services gives up.
+  Cell one(address, 3);
+  Cell two(address, 3);
   for (Cell* cell : {&one, &two}) {
     cell->StartService("first");
     cell->StartService("second");
