@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell/episode_t.hpp"
+#include "cell/truth_action_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
 #include "common/geometry/pose.h"
@@ -52,6 +53,7 @@ Vtb::Vtb(Bus& bus, const Params& params)
 
 void Vtb::Prepare(const Request& request) {
   demonstrator_.emplace(book_, request.demonstration, request.seed, world_);
+  deeds_.emplace(book_);
   request_ = request;
   num_still_ = 0;
 }
@@ -88,6 +90,7 @@ void Vtb::OnTick() {
   demonstrator_->Update(kTick, world_);
   world_.Run(steps_per_tick_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
+  if (is_running_) PublishDeeds();
   if (is_running_ && IsAtRest()) End();
 }
 
@@ -144,6 +147,23 @@ void Vtb::PublishTruth() {
   }
   contacts.num_contacts = static_cast<int32_t>(contacts.contacts.size());
   bus_.Publish("TRUTH_CONTACTS", contacts);
+}
+
+void Vtb::PublishDeeds() {
+  static_assert(static_cast<int>(Deed::Kind::kMoved) == truth_action_t::MOVED);
+  static_assert(static_cast<int>(Deed::Mistake::kOutOfWorkspace) ==
+                truth_action_t::OUT_OF_WORKSPACE);
+  for (const Deed& deed : deeds_->Update(bus_.now(), world_)) {
+    truth_action_t message{};
+    message.header.utime = deed.place_utime;
+    message.kind = static_cast<int8_t>(deed.kind);
+    message.mistake = static_cast<int8_t>(deed.mistake);
+    message.part = deed.part;
+    message.site = deed.site;
+    message.hand = deed.hand;
+    message.pick_utime = deed.pick_utime;
+    bus_.Publish("TRUTH_ACTIONS", message);
+  }
 }
 
 std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,

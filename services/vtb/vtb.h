@@ -8,6 +8,7 @@
 #include "cell/command_episode_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
+#include "services/vtb/deeds.h"
 #include "services/vtb/demonstrator.h"
 #include "services/vtb/script.h"
 #include "services/vtb/world.h"
@@ -49,6 +50,7 @@ class Vtb : public Service {
   void Prepare(const Request& request);
   void PublishEpisode(int8_t phase);
   void PublishTruth();
+  void PublishDeeds();
   void End();
   bool IsAtRest();
 
@@ -59,6 +61,7 @@ class Vtb : public Service {
   std::shared_ptr<const DemonstratorBook> book_;
   Request request_;  // of the episode that runs, or ran last
   std::optional<Demonstrator> demonstrator_;
+  std::optional<Deeds> deeds_;  // of the episode
   std::optional<Appointment> next_;
   bool is_running_ = false;
   int64_t episode_ = 0;    // counts from 1

@@ -76,7 +76,8 @@ class Writer {
     WriteThreads();
     return fmt::format(
         "<mujoco>\n<compiler angle='radian'/>\n"
-        "<option timestep='{:.17g}' cone='elliptic'/>\n"
+        // Few contacts share a body: sparse is a third faster.
+        "<option timestep='{:.17g}' cone='elliptic' jacobian='sparse'/>\n"
         "<size njmax='4000' nconmax='1000'/>\n"
         // Contact settings that hold an assembly still (section IV).
         "<default><geom condim='4' friction='{:.17g} 0.005 0.0001'"

@@ -1,0 +1,139 @@
+#include "services/vtb/deeds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cell {
+namespace {
+
+constexpr int64_t kSettleUs = 200'000;
+// A part that was let go may stand a little off what the person aimed at.
+constexpr double kSeatSlack = 2;
+constexpr double kMoved = 0.010;                 // [m]
+constexpr double kTurned = 10 * 0.017453292519;  // [rad]
+
+bool IsMoved(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB) {
+  const Eigen::Isometry3d X_AB = X_WA.inverse() * X_WB;
+  return X_AB.translation().norm() > kMoved ||
+         Eigen::AngleAxisd(X_AB.linear()).angle() > kTurned;
+}
+
+}  // namespace
+
+const PlacementRule* Deeds::RuleOf(const Part& part, const Site& site) const {
+  for (const auto& [name, rule] : book_->rules) {
+    if (rule.part_type == part.type && rule.site_type == site.type) {
+      return &rule;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<std::string> Deeds::SeatOf(const std::string& name,
+                                         const World& world) const {
+  const Part& part = *world.table().Find(name);
+  const Eigen::Isometry3d X_WO = world.PoseOf(name);
+  for (const Part& host : world.table().parts()) {
+    for (const Site& site : host.sites) {
+      const PlacementRule* rule = RuleOf(part, site);
+      if (rule == nullptr) continue;
+      const Eigen::Isometry3d X_SO =
+          (world.PoseOf(host.name) * site.X_HS).inverse() * X_WO;
+      const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
+      if (std::abs(X_SO.translation().z()) < kSeatSlack * rule->max_height &&
+          X_SO.translation().head<2>().norm() <
+              kSeatSlack * rule->max_offset &&
+          tilt < kSeatSlack * rule->max_tilt) {
+        return site.name;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// True unless all that must come before this placement is in place.
+bool Deeds::IsTooEarly(const Part& part, const std::string& site,
+                       const World& world) const {
+  const PlacementRule* rule = RuleOf(part, *world.table().FindSite(site));
+  for (const std::string& earlier : rule->after) {
+    for (const Part& other : world.table().parts()) {
+      if (other.type == book_->rules.at(earlier).part_type && !other.is_fixed &&
+          !SeatOf(other.name, world)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void Deeds::NoteGrips(int64_t utime, const World& world) {
+  std::map<std::string, std::string> held;
+  for (const CellLayout::Hand& hand : world.layout().hands) {
+    if (const auto part = world.HeldBy(hand.name)) {
+      held.try_emplace(*part, hand.name);
+    }
+  }
+  for (const auto& [part, hand] : held) {
+    const auto [it, is_new] = grips_.try_emplace(part);
+    it->second.release_utime.reset();
+    if (!is_new) continue;
+    it->second.hand = hand;
+    it->second.pick_utime = utime;
+    it->second.from_site = SeatOf(part, world);
+    it->second.X_WO_pick = world.PoseOf(part);
+  }
+  for (auto& [part, grip] : grips_) {
+    if (!held.contains(part) && !grip.release_utime) grip.release_utime = utime;
+  }
+}
+
+std::vector<Deed> Deeds::Update(int64_t utime, const World& world) {
+  NoteGrips(utime, world);
+  std::vector<Deed> done;
+  for (auto it = grips_.begin(); it != grips_.end();) {
+    const auto& release = it->second.release_utime;
+    if (!release || utime < *release + kSettleUs) {
+      ++it;
+      continue;
+    }
+    const auto deeds = Conclude(it->first, it->second, world);
+    done.insert(done.end(), deeds.begin(), deeds.end());
+    it = grips_.erase(it);
+  }
+  return done;
+}
+
+std::vector<Deed> Deeds::Conclude(const std::string& name, const Grip& grip,
+                                  const World& world) const {
+  const Eigen::Isometry3d X_WO = world.PoseOf(name);
+  const auto to_site = SeatOf(name, world);
+  if (to_site == grip.from_site &&
+      (to_site || !IsMoved(grip.X_WO_pick, X_WO))) {
+    return {};
+  }
+  Deed deed{.part = name,
+            .hand = grip.hand,
+            .pick_utime = grip.pick_utime,
+            .place_utime = *grip.release_utime};
+  if (!world.layout().workspace.contains(X_WO.translation())) {
+    deed.mistake = Deed::Mistake::kOutOfWorkspace;
+  }
+  std::vector<Deed> deeds;
+  if (grip.from_site) {
+    deed.kind = Deed::Kind::kTakenBack;
+    deed.site = *grip.from_site;
+    deeds.push_back(deed);
+  }
+  if (to_site) {
+    deed.kind = Deed::Kind::kPlaced;
+    deed.site = *to_site;
+    if (IsTooEarly(*world.table().Find(name), *to_site, world)) {
+      deed.mistake = Deed::Mistake::kOutOfOrder;
+    }
+    deeds.push_back(deed);
+  }
+  if (deeds.empty()) deeds.push_back(deed);
+  return deeds;
+}
+
+}  // namespace cell

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/vtb/script.h"
+#include "services/vtb/world.h"
+
+namespace cell {
+
+/// Something a person did to a part, from gripping it to letting go.
+struct Deed {
+  enum class Kind { kPlaced, kTakenBack, kMoved };
+  enum class Mistake { kNone, kOutOfOrder, kOutOfWorkspace };
+  Kind kind = Kind::kMoved;
+  Mistake mistake = Mistake::kNone;
+  std::string part;
+  std::string site;  ///< where it was placed, or taken back from
+  std::string hand;  ///< that held it first
+  int64_t pick_utime = 0;
+  int64_t place_utime = 0;
+};
+
+/// Watches the world and knows what was done: ground truth for scorers. It
+/// looks at grips and seats alone, not at what the person meant to do. A part
+/// that goes from one site to another is two deeds; one that comes to stand
+/// where it stood is none.
+class Deeds {
+ public:
+  explicit Deeds(std::shared_ptr<const DemonstratorBook> book)
+      : book_(std::move(book)) {}
+
+  /// To be called once a tick; the deeds that are done and have settled.
+  std::vector<Deed> Update(int64_t utime, const World& world);
+
+ private:
+  struct Grip {
+    std::string hand;
+    int64_t pick_utime = 0;
+    std::optional<std::string> from_site;
+    Eigen::Isometry3d X_WO_pick = Eigen::Isometry3d::Identity();
+    std::optional<int64_t> release_utime;  // while it settles
+  };
+
+  void NoteGrips(int64_t utime, const World& world);
+  std::vector<Deed> Conclude(const std::string& part, const Grip& grip,
+                             const World& world) const;
+  const PlacementRule* RuleOf(const Part& part, const Site& site) const;
+  std::optional<std::string> SeatOf(const std::string& part,
+                                    const World& world) const;
+  bool IsTooEarly(const Part& part, const std::string& site,
+                  const World& world) const;
+
+  std::shared_ptr<const DemonstratorBook> book_;
+  std::map<std::string, Grip> grips_;  // by part
+};
+
+}  // namespace cell
