@@ -28,7 +28,7 @@ void EpisodeObserver::Put(const Message& message) {
     AppendDecoded(message, &record_.plans);
   } else if (message.channel == "KEY_FRAME") {
     if (const auto frame = Decode<key_frame_t>(message)) {
-      record_.key_frame_utimes.push_back(frame->header.utime);
+      record_.key_frame_utimes[frame->index] = frame->header.utime;
     }
   } else if (message.channel == "TRUTH_POSES") {
     if (auto poses = Decode<truth_poses_t>(message)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct EpisodeRecord {
   std::vector<truth_action_t> truth_actions;
   std::vector<alert_t> alerts;
   std::vector<plan_t> plans;
-  std::vector<int64_t> key_frame_utimes;  ///< by index
+  std::map<int64_t, int64_t> key_frame_utimes;  ///< by index
   std::optional<truth_poses_t> last_poses;
   int64_t last_utime = 0;
   bool has_ended = false;  ///< EPISODE END was heard

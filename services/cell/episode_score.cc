@@ -31,6 +31,9 @@ bool Names(const action_t& action, const truth_action_t& truth) {
              (action.arguments.size() == 1 ||
               action.arguments[1] == truth.site);
     }
+    case truth_action_t::TIPPED:
+      // Raising may be an action of the task; laying down is its reverse.
+      return action.kind == action_t::UNKNOWN || action.arguments.size() == 1;
     default:
       return action.kind == action_t::UNKNOWN;
   }
@@ -55,11 +58,11 @@ std::vector<std::optional<size_t>> Match(const EpisodeRecord& record) {
 std::vector<const alert_t*> AlertsOf(const EpisodeRecord& record,
                                      const action_t& action) {
   std::vector<const alert_t*> alerts;
-  const auto frame = static_cast<size_t>(action.place_key_frame);
   const int64_t from = action.header.utime;
-  const size_t after = frame + kOneKeyFrame + 1;
-  const int64_t until = after < record.key_frame_utimes.size()
-                            ? record.key_frame_utimes[after]
+  const auto after =
+      record.key_frame_utimes.find(action.place_key_frame + kOneKeyFrame + 1);
+  const int64_t until = after != record.key_frame_utimes.end()
+                            ? after->second
                             : record.last_utime;
   for (const alert_t& alert : record.alerts) {
     const bool is_of_plan = alert.cause == alert_t::LONGER_PLAN ||

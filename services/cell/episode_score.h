@@ -14,7 +14,7 @@ struct EpisodeScore {
   int num_take_backs_named = 0;    ///< REVERSED, right part and site
   int num_take_backs_warned = 0;   ///< exactly one warning each, no error
   int num_moves = 0;       ///< truth: moved from nowhere to nowhere
-  int num_moves_named = 0;         ///< UNKNOWN, right part
+  int num_moves_named = 0;         ///< right part, UNKNOWN or tipped
   int num_mistakes = 0;    ///< truth: planted
   int num_mistakes_caught = 0;  ///< right alert within one key frame
   int num_invented = 0;    ///< recognised, but nobody did it

@@ -151,6 +151,7 @@ std::vector<std::string> Narrator::TellAlert(const Message& message) {
 std::vector<std::string> Narrator::TellEpisode(const Message& message) {
   const auto episode = Decode<episode_t>(message);
   if (!episode) return {};
+  if (episode->phase == episode_t::RUNNING) return {};
   if (episode->phase == episode_t::END) {
     return {Line(episode->header.utime, "the episode ends")};
   }

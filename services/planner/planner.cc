@@ -51,7 +51,11 @@ Planner::Planner(Bus& bus, Params params)
 
 bool Planner::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::END) return true;
-  if (message.phase != episode_t::START) return false;
+  if (message.phase == episode_t::RUNNING && monitor_) return true;
+  if (message.phase != episode_t::START &&
+      message.phase != episode_t::RUNNING) {
+    return false;
+  }
   monitor_.reset();
   const Goal* goal = params_.domain.FindGoal(message.goal);
   if (goal != nullptr) {

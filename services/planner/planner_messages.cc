@@ -90,7 +90,10 @@ std::optional<DoneAction> FromMessage(const action_t& message,
       message.place_key_frame < message.pick_key_frame) {
     return std::nullopt;
   }
-  DoneAction action{message.index,
+  // Unlike the index, the message's identity outlives the recognizer.
+  const int64_t identity =
+      (int64_t{message.header.sender} << 32) | message.header.seq;
+  DoneAction action{identity,
                     message.header.utime,
                     message.pick_key_frame,
                     message.place_key_frame,

@@ -49,7 +49,8 @@ bool PredicateEstimator::OnEpisode(const episode_t& message) {
     tracks_.reset();
     start_utime_ = message.header.utime;
   }
-  return message.phase == episode_t::START || message.phase == episode_t::END;
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
 }
 
 bool PredicateEstimator::OnTracks(const tracks_t& message) {

@@ -50,7 +50,8 @@ bool Recognizer::OnEpisode(const episode_t& message) {
     Begin();
     start_utime_ = message.header.utime;
   }
-  return message.phase == episode_t::START || message.phase == episode_t::END;
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
 }
 
 bool Recognizer::OnKeyFrame(const key_frame_t& message) {

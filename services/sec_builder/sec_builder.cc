@@ -22,8 +22,10 @@ bool SecBuilder::OnEpisode(const episode_t& message) {
     chain_ = EventChain(cast_, chain_params_);
     start_utime_ = message.header.utime;
     last_utime_.reset();
+    first_index_ = 0;
   }
-  return message.phase == episode_t::START || message.phase == episode_t::END;
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
 }
 
 bool SecBuilder::OnTracks(const tracks_t& message) {
@@ -31,8 +33,10 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
   if (!tracks || (last_utime_ && tracks->utime <= *last_utime_)) return false;
   if (tracks->utime < start_utime_) return true;  // of the episode before
   last_utime_ = tracks->utime;
-  for (const KeyFrame& frame :
-       chain_.Update(*tracks, sensor_.Measure(*tracks))) {
+  // A life that begins within an episode has seen fewer key frames than ticks.
+  if (!first_index_) first_index_ = bus_.tick();
+  for (KeyFrame& frame : chain_.Update(*tracks, sensor_.Measure(*tracks))) {
+    frame.index += *first_index_;
     bus_.Publish("KEY_FRAME", KeyFrameToMessage(frame));
   }
   return true;

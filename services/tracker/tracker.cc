@@ -38,7 +38,8 @@ Tracker::Tracker(Bus& bus, const Params& params)
 
 bool Tracker::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::START) truth_.reset();
-  return message.phase == episode_t::START || message.phase == episode_t::END;
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
 }
 
 bool Tracker::OnTruth(const truth_poses_t& message) {

@@ -12,6 +12,10 @@ constexpr double kSeatSlack = 2;
 constexpr double kMoved = 0.010;                 // [m]
 constexpr double kTurned = 10 * 0.017453292519;  // [rad]
 
+bool IsUpright(const Eigen::Isometry3d& X_WO) {
+  return std::abs(X_WO.linear()(2, 2)) > std::sqrt(0.5);
+}
+
 bool IsMoved(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB) {
   const Eigen::Isometry3d X_AB = X_WA.inverse() * X_WB;
   return X_AB.translation().norm() > kMoved ||
@@ -132,7 +136,11 @@ std::vector<Deed> Deeds::Conclude(const std::string& name, const Grip& grip,
     }
     deeds.push_back(deed);
   }
-  if (deeds.empty()) deeds.push_back(deed);
+  if (deeds.empty()) {
+    const bool is_tipped = IsUpright(X_WO) != IsUpright(grip.X_WO_pick);
+    if (is_tipped) deed.kind = Deed::Kind::kTipped;
+    deeds.push_back(deed);
+  }
   return deeds;
 }
 

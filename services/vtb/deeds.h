@@ -14,7 +14,7 @@ namespace cell {
 
 /// Something a person did to a part, from gripping it to letting go.
 struct Deed {
-  enum class Kind { kPlaced, kTakenBack, kMoved };
+  enum class Kind { kPlaced, kTakenBack, kMoved, kTipped };
   enum class Mistake { kNone, kOutOfOrder, kOutOfWorkspace };
   Kind kind = Kind::kMoved;
   Mistake mistake = Mistake::kNone;

@@ -20,6 +20,7 @@ constexpr double kTick = 1e-6 * kTickUs;  // [s]
 /// is under way in the other services comes out.
 constexpr int32_t kGapTicks = 125;
 constexpr int32_t kFirstTick = 1;
+constexpr int32_t kRunningPeriod = 125;
 constexpr int32_t kForeverTicks = 1 << 30;
 /// An episode ends when everything has been still so long, or anyway after ...
 constexpr int32_t kRestTicks = 125, kMaxRestTicks = 625;
@@ -91,6 +92,9 @@ void Vtb::OnTick() {
   world_.Run(steps_per_tick_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
   if (is_running_) PublishDeeds();
+  if (is_running_ && bus_.tick() % kRunningPeriod == 0) {
+    PublishEpisode(episode_t::RUNNING);
+  }
   if (is_running_ && IsAtRest()) End();
 }
 
@@ -150,7 +154,8 @@ void Vtb::PublishTruth() {
 }
 
 void Vtb::PublishDeeds() {
-  static_assert(static_cast<int>(Deed::Kind::kMoved) == truth_action_t::MOVED);
+  static_assert(static_cast<int>(Deed::Kind::kTipped) ==
+                truth_action_t::TIPPED);
   static_assert(static_cast<int>(Deed::Mistake::kOutOfWorkspace) ==
                 truth_action_t::OUT_OF_WORKSPACE);
   for (const Deed& deed : deeds_->Update(bus_.now(), world_)) {

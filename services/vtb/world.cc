@@ -239,10 +239,22 @@ void World::Run(int num_steps) {
     for (ThreadJoint& joint : threads_) StepThread(joint);
     mj_step(model_.get(), data_.get());
   }
+  CheckPhysics();
   for (HandState& hand : hands_) {
     hand.X_WG = hand.X_WG_goal;
     hand.opening = hand.opening_goal;
     hand.roll = hand.roll_goal;
+  }
+}
+
+/// MuJoCo goes on after an overflow or an explosion; results would be nonsense.
+void World::CheckPhysics() const {
+  for (int i = 0; i < mjNWARNING; ++i) {
+    const mjWarningStat& warning = data_->warning[i];
+    if (warning.number == 0) continue;
+    throw std::runtime_error(fmt::format(
+        "physics broke down at {:.3f} s: {}", data_->time,
+        mju_warningText(i, static_cast<size_t>(warning.lastinfo))));
   }
 }
 

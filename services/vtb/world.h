@@ -59,6 +59,7 @@ class World {
   void Roll(const std::string& hand, double angle);
   std::optional<std::string> HeldBy(const std::string& hand) const;
 
+  /// @throws std::runtime_error if the physics overflow or diverge.
   void Run(int num_steps);
 
   double time() const;
@@ -103,6 +104,7 @@ class World {
   int PartIndex(const std::string& part) const;
   size_t HandIndex(const std::string& hand) const;
   bool IsHeld(int part) const;
+  void CheckPhysics() const;
   Eigen::Isometry3d PoseAt(int part) const;
   void StepHand(size_t index, double fraction, double duration);
   void PutHand(size_t index, const Eigen::Isometry3d& X_WG, double opening);
