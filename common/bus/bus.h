@@ -30,8 +30,8 @@ class Bus {
   /// Returns false if the bytes cannot be used: they are counted as rejected.
   using BytesHandler = std::function<bool(std::span<const uint8_t>)>;
   /// For services that take whatever comes, like a recorder.
-  using AnyHandler = std::function<void(const std::string& channel,
-                                        std::span<const uint8_t>)>;
+  using AnyHandler =
+      std::function<void(const std::string& channel, std::span<const uint8_t>)>;
   /// All messages of a tick reach the handler.
   static constexpr size_t kAll = 0;
 

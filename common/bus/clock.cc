@@ -123,18 +123,17 @@ std::vector<joined_t> Clock::JoinWaiting() {
 
 const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
   if (!MissingFromRoster().empty() || !Awaited().empty()) {
-    throw std::logic_error(fmt::format("TICK {} before all have answered {}",
-                                       tick_ + 1, tick_));
+    throw std::logic_error(
+        fmt::format("TICK {} before all have answered {}", tick_ + 1, tick_));
   }
   tick_t tick{};
   tick.flows = CurrentFlows();
   const std::vector<flow_t> own_flows = FlowsOf(own);
   tick.flows.insert(tick.flows.end(), own_flows.begin(), own_flows.end());
-  std::sort(tick.flows.begin(), tick.flows.end(),
-            [](const auto& a, const auto& b) {
-              return std::tie(a.channel, a.sender) <
-                     std::tie(b.channel, b.sender);
-            });
+  std::sort(
+      tick.flows.begin(), tick.flows.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.channel, a.sender) < std::tie(b.channel, b.sender);
+      });
   for (Seat& seat : seats_) seat.flows.erase(tick_);
   ++tick_;
   tick.header.utime = int64_t{tick_} * kTickUs;
@@ -158,14 +157,15 @@ void Clock::ForgetTicks() {
   int32_t oldest = tick_;
   for (size_t i = 1; i < seats_.size(); ++i) {
     if (seats_[i].life < 0) continue;
-    oldest = std::min(oldest,
-                      seats_[i].acted - roster_.entries[i].latency + 2);
+    oldest = std::min(oldest, seats_[i].acted - roster_.entries[i].latency + 2);
   }
   std::erase_if(recent_, [oldest](const tick_t& old) {
     return old.header.tick < oldest;
   });
 }
 
-std::vector<tick_t> Clock::TicksToRepeat() const { return recent_; }
+std::vector<tick_t> Clock::TicksToRepeat() const {
+  return recent_;
+}
 
 }  // namespace cell

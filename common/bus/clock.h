@@ -57,9 +57,9 @@ class Clock {
   struct Seat {
     int32_t life = -1;  // of the service that has joined; -1: none yet
     int64_t nonce = 0;
-    bool is_dead = false;       // its successor has said HELLO
-    int32_t answered = -1;      // last tick the ACKs cover
-    int32_t acted = -1;         // last tick whose outputs are complete
+    bool is_dead = false;              // its successor has said HELLO
+    int32_t answered = -1;             // last tick the ACKs cover
+    int32_t acted = -1;                // last tick whose outputs are complete
     std::optional<int64_t> successor;  // nonce of a HELLO yet to be joined
     std::map<int32_t, std::vector<flow_t>> flows;  // by tick
   };

@@ -17,8 +17,7 @@ std::vector<Message> ClockHost::Tick(int32_t tick, std::vector<Message> inputs,
                                      std::vector<Command> commands) {
   std::vector<Message> own;
   for (Command& command : commands) {
-    if (!IsCommand(command.channel) ||
-        command.bytes.size() < kWireHeaderEnd) {
+    if (!IsCommand(command.channel) || command.bytes.size() < kWireHeaderEnd) {
       ++num_refused_;
       continue;
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t kSync = 0xEDA1DA01;
 constexpr std::array<uint8_t, 4> kSyncBytes = {0xED, 0xA1, 0xDA, 0x01};
 constexpr size_t kHeaderSize = 28;
-constexpr uint32_t kMaxChannel = 64;         // LCM's own limit is 63
+constexpr uint32_t kMaxChannel = 64;  // LCM's own limit is 63
 constexpr uint32_t kMaxData = 256u << 20;
 
 std::string Error(const std::filesystem::path& path, const char* what) {
@@ -90,8 +90,8 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
   if (left < *size) return Parse::kMoreNeeded;
   if (!HasSyncAt(position + *size)) {
     const auto begin = buffer_.begin() + static_cast<std::ptrdiff_t>(position);
-    const auto end = begin + static_cast<std::ptrdiff_t>(
-                                 std::min(*size + 3, left));
+    const auto end =
+        begin + static_cast<std::ptrdiff_t>(std::min(*size + 3, left));
     if (std::search(begin + 4, end, kSyncBytes.begin(), kSyncBytes.end()) !=
         end) {
       return Parse::kDamaged;
@@ -99,8 +99,8 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
   }
   event->number = std::bit_cast<int64_t>(Read(buffer_, position + 4, 8));
   event->utime = std::bit_cast<int64_t>(Read(buffer_, position + 12, 8));
-  const auto data = buffer_.begin() +
-                    static_cast<std::ptrdiff_t>(position + kHeaderSize);
+  const auto data =
+      buffer_.begin() + static_cast<std::ptrdiff_t>(position + kHeaderSize);
   const auto split = data + static_cast<std::ptrdiff_t>(channel_size);
   event->channel.assign(data, split);
   event->bytes.assign(split, split + static_cast<std::ptrdiff_t>(data_size));

@@ -7,7 +7,9 @@ namespace cell {
 namespace {
 
 // What one kept message weighs, its bookkeeping included.
-size_t WeightOf(const Message& message) { return message.bytes->size() + 256; }
+size_t WeightOf(const Message& message) {
+  return message.bytes->size() + 256;
+}
 
 }  // namespace
 

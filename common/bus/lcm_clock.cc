@@ -137,8 +137,8 @@ class LcmClock {
       throw BusError(fmt::format("clock: tick {}: gave up waiting for {} of {}",
                                  clock_.tick(), what, fmt::join(names, ", ")));
     }
-    if (waited > kWarnPeriod && steady_clock::now() - last_warning_ >
-                                    kWarnPeriod) {
+    if (waited > kWarnPeriod &&
+        steady_clock::now() - last_warning_ > kWarnPeriod) {
       last_warning_ = steady_clock::now();
       std::cerr << fmt::format("clock: tick {}: waiting for {} of {}\n",
                                clock_.tick(), what, fmt::join(names, ", "));
@@ -177,9 +177,8 @@ class LcmClock {
   // by ACKs and may still be on their way.
   std::optional<std::vector<Message>> AwaitInputs() {
     std::vector<MessageId> ids = MessagesIn(clock_.CurrentFlows());
-    std::erase_if(ids, [this](const MessageId& id) {
-      return !host_.Wants(id.channel);
-    });
+    std::erase_if(
+        ids, [this](const MessageId& id) { return !host_.Wants(id.channel); });
     const auto since = steady_clock::now();
     while (!stop_) {
       if (auto messages = inbox_.Take(ids)) return messages;

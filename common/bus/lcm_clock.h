@@ -11,7 +11,7 @@
 namespace cell {
 
 struct LcmClockOptions {
-  bool is_realtime = false;  ///< at most as fast as the wall clock
+  bool is_realtime = false;        ///< at most as fast as the wall clock
   std::optional<double> giveup_s;  ///< end when a service is silent so long
 };
 

@@ -21,8 +21,8 @@ LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
       stepper_({.name = name,
                 .truth_role = roster.entries[index_].truth_role,
                 .latency = roster.entries[index_].latency,
-                .status_phase = static_cast<int32_t>(index_) %
-                                Stepper::kStatusPeriod}),
+                .status_phase =
+                    static_cast<int32_t>(index_) % Stepper::kStatusPeriod}),
       service_(factory(stepper_)) {}
 
 hello_t LockstepNode::Hello() const {
@@ -49,8 +49,10 @@ void LockstepNode::PutTick(const tick_t& tick) {
       stepper_.set_sender(sender_);
       join_tick_ = next_tick_ = tick.header.tick;
     } else if (joined.nonce != nonce_ && has_joined()) {
-      throw BusError(name_ + ": another process has joined under this name; "
-                     "run each service once, each cell on its own port (--url)");
+      throw BusError(
+          name_ +
+          ": another process has joined under this name; "
+          "run each service once, each cell on its own port (--url)");
     }
   }
   if (!has_joined()) return;
@@ -65,7 +67,8 @@ void LockstepNode::PutTick(const tick_t& tick) {
 std::vector<MessageId> LockstepNode::NeededBy(const tick_t& tick) const {
   if (tick.header.tick == join_tick_) return {};
   std::vector<MessageId> ids = MessagesIn(tick.flows);
-  std::erase_if(ids, [this](const MessageId& id) { return !Wants(id.channel); });
+  std::erase_if(ids,
+                [this](const MessageId& id) { return !Wants(id.channel); });
   return ids;
 }
 

@@ -51,8 +51,11 @@ tick_t Canonical(tick_t tick) {
 Message TickMessage(const tick_t& tick) {
   Bytes bytes = Bus::Encode(Canonical(tick));
   const int64_t digest = DigestOf(bytes);
-  return {kTickChannel,         tick.header.tick, tick.header.sender,
-          tick.header.seq,      digest,
+  return {kTickChannel,
+          tick.header.tick,
+          tick.header.sender,
+          tick.header.seq,
+          digest,
           std::make_shared<const Bytes>(std::move(bytes))};
 }
 

@@ -62,17 +62,17 @@ class Comparison {
         ++result_.num_messages;
         continue;
       }
-      const bool is_extra = i < computed.size() &&
-                            (i >= recorded.size() ||
-                             OrderedBefore(computed[i], recorded[i]));
+      const bool is_extra =
+          i < computed.size() &&
+          (i >= recorded.size() || OrderedBefore(computed[i], recorded[i]));
       const Message& odd = is_extra ? computed[i] : recorded[i];
-      const char* how =
-          i < computed.size() && i < recorded.size() &&
-                  computed[i].channel == recorded[i].channel
-              ? "differs from the recorded one"
-              : is_extra ? "was not recorded" : "was not recomputed";
-      result_.difference = fmt::format("tick {}: {} seq {} {}", tick,
-                                       odd.channel, odd.seq, how);
+      const char* how = i < computed.size() && i < recorded.size() &&
+                                computed[i].channel == recorded[i].channel
+                            ? "differs from the recorded one"
+                        : is_extra ? "was not recorded"
+                                   : "was not recomputed";
+      result_.difference =
+          fmt::format("tick {}: {} seq {} {}", tick, odd.channel, odd.seq, how);
     }
   }
 
@@ -137,12 +137,12 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
   const Roster::Entry& entry = roster.entries[index];
   Comparison comparison(log);
   for (const Life& life : LivesOf(log, service)) {
-    Stepper stepper({.name = entry.name,
-                     .truth_role = entry.truth_role,
-                     .sender = life.sender,
-                     .latency = entry.latency,
-                     .status_phase = static_cast<int32_t>(index) %
-                                     Stepper::kStatusPeriod});
+    Stepper stepper(
+        {.name = entry.name,
+         .truth_role = entry.truth_role,
+         .sender = life.sender,
+         .latency = entry.latency,
+         .status_phase = static_cast<int32_t>(index) % Stepper::kStatusPeriod});
     const std::unique_ptr<Service> object = factory(stepper);
     for (int32_t k = life.join_tick; k < life.end_tick; ++k) {
       const auto it = log.ticks().find(k);

@@ -80,8 +80,7 @@ void RunLog::Read(const std::filesystem::path& log) {
 void RunLog::Check() {
   const Tick* previous = nullptr;
   for (auto& [k, tick] : ticks_) {
-    std::stable_sort(tick.messages.begin(), tick.messages.end(),
-                     OrderedBefore);
+    std::stable_sort(tick.messages.begin(), tick.messages.end(), OrderedBefore);
     const bool has_previous =
         previous != nullptr && previous->manifest.header.tick == k - 1;
     if (previous != nullptr && !has_previous) {
@@ -96,7 +95,9 @@ void RunLog::Check() {
     }
     // Flows name the services' messages of the tick before, and the clock's.
     for (const MessageId& id : MessagesIn(tick.manifest.flows)) {
-      const Tick* of = id.sender == 0 ? &tick : has_previous ? previous : nullptr;
+      const Tick* of = id.sender == 0 ? &tick
+                       : has_previous ? previous
+                                      : nullptr;
       if (of == nullptr) continue;
       const auto match = std::find_if(
           of->messages.begin(), of->messages.end(), [&](const Message& m) {

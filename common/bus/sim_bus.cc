@@ -31,8 +31,7 @@ int64_t NonceOf(size_t index, int32_t life) {
 
 SimBus::SimBus(const Roster& roster,
                std::map<std::string, ServiceFactory> factories,
-               std::vector<Outage> outages,
-               std::vector<TimedCommand> commands)
+               std::vector<Outage> outages, std::vector<TimedCommand> commands)
     : roster_(roster),
       factories_(std::move(factories)),
       outages_(std::move(outages)),
@@ -65,8 +64,7 @@ bool SimBus::Step() {
   std::vector<Message> messages =
       host_.Tick(tick, std::move(inputs), CommandsOf(tick));
   last_tick_ = clock_.Advance(messages, host_.IsLast(tick));
-  messages.insert(messages.end(),
-                  std::make_move_iterator(published_.begin()),
+  messages.insert(messages.end(), std::make_move_iterator(published_.begin()),
                   std::make_move_iterator(published_.end()));
   published_.clear();
   last_messages_ = std::move(messages);
@@ -101,8 +99,7 @@ void SimBus::NewLife(size_t index, int32_t tick) {
       .truth_role = entry.truth_role,
       .sender = SenderOf(index, life),
       .latency = entry.latency,
-      .status_phase =
-          static_cast<int32_t>(index) % Stepper::kStatusPeriod});
+      .status_phase = static_cast<int32_t>(index) % Stepper::kStatusPeriod});
   seat.service = FactoryOf(factories_, entry.name)(*seat.stepper);
   hello_t hello{};
   hello.name = entry.name;

@@ -18,11 +18,11 @@ namespace cell {
 class Stepper final : public Bus {
  public:
   struct Params {
-    std::string name;         ///< of the service, as in the roster
-    std::string truth_role;   ///< as in truth_access.h; empty: the name
-    int32_t sender = 0;       ///< given by the clock
-    int32_t latency = 1;      ///< ticks one activation takes; 1: same tick
-    int32_t status_phase = 0; ///< tick % kStatusPeriod of its STATUS
+    std::string name;          ///< of the service, as in the roster
+    std::string truth_role;    ///< as in truth_access.h; empty: the name
+    int32_t sender = 0;        ///< given by the clock
+    int32_t latency = 1;       ///< ticks one activation takes; 1: same tick
+    int32_t status_phase = 0;  ///< tick % kStatusPeriod of its STATUS
   };
   static constexpr int32_t kStatusPeriod = 62;
 

@@ -20,8 +20,7 @@ bool IsTruth(const std::string& channel) {
 }
 
 bool MayReadTruth(const std::string& service) {
-  return std::find(kReaders.begin(), kReaders.end(), service) !=
-         kReaders.end();
+  return std::find(kReaders.begin(), kReaders.end(), service) != kReaders.end();
 }
 
 }  // namespace cell

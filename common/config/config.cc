@@ -57,8 +57,7 @@ std::vector<Config> Config::Items() const {
   if (!node_.IsSequence()) Fail("should be a list");
   std::vector<Config> items;
   for (size_t i = 0; i < node_.size(); ++i) {
-    items.push_back(
-        Config(node_[i], fmt::format("{}[{}]", path_, i), shared_));
+    items.push_back(Config(node_[i], fmt::format("{}[{}]", path_, i), shared_));
     items.back().MarkUsed();
   }
   return items;
@@ -79,8 +78,7 @@ std::vector<Config> Config::ItemsOf(const std::string& key) const {
   return Has(key) ? (*this)[key].Items() : std::vector<Config>{};
 }
 
-std::vector<double> Config::Numbers(const std::string& key,
-                                    size_t size) const {
+std::vector<double> Config::Numbers(const std::string& key, size_t size) const {
   const Config config = (*this)[key];
   auto numbers = config.As<std::vector<double>>();
   if (numbers.size() != size) {
@@ -107,10 +105,11 @@ int Config::Integer(const std::string& key, int low, int high) const {
   return value;
 }
 
-void Config::Finish() const { FinishNode(node_, path_); }
+void Config::Finish() const {
+  FinishNode(node_, path_);
+}
 
-void Config::FinishNode(const YAML::Node& node,
-                        const std::string& path) const {
+void Config::FinishNode(const YAML::Node& node, const std::string& path) const {
   if (!path.empty() && !shared_->used.contains(path)) {
     throw ConfigError(shared_->file + ":" + path +
                       ": not known; remove it or mend its spelling");
@@ -132,9 +131,13 @@ void Config::Fail(const std::string& message) const {
   throw ConfigError(shared_->file + ":" + path_ + ": " + message);
 }
 
-const std::string& Config::file() const { return shared_->file; }
+const std::string& Config::file() const {
+  return shared_->file;
+}
 
-void Config::MarkUsed() const { shared_->used.insert(path_); }
+void Config::MarkUsed() const {
+  shared_->used.insert(path_);
+}
 
 std::string Config::Shown() const {
   return node_.IsScalar() ? ": '" + node_.Scalar() + "'" : "";

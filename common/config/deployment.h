@@ -11,7 +11,7 @@ namespace cell {
 struct Deployment {
   std::filesystem::path config_dir;  ///< one YAML per service
   std::filesystem::path task_dir;    ///< parts, domain, cell layout, scripts
-  std::filesystem::path run_dir;     ///< where a run is recorded; empty: nowhere
+  std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
 
   /// deploy/config/<service>.yaml
   Config ForService(const std::string& service) const {

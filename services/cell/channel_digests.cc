@@ -15,8 +15,8 @@ void ChannelDigests::Put(const tick_t& manifest) {
     for (const int64_t digest : flow.digests) {
       const auto bytes = std::bit_cast<std::array<uint8_t, 16>>(
           std::array{chain, std::bit_cast<uint64_t>(digest)});
-      chain = std::bit_cast<uint64_t>(
-          DigestOf(Bytes(bytes.begin(), bytes.end())));
+      chain =
+          std::bit_cast<uint64_t>(DigestOf(Bytes(bytes.begin(), bytes.end())));
     }
   }
 }

@@ -103,13 +103,12 @@ class Demo {
   void Start(const std::string& name) {
     const auto bin =
         std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    std::vector<std::string> arguments = {
-        "--deploy", (run_.path / "deploy").string(), "--run-dir",
-        run_.path.string()};
+    std::vector<std::string> arguments = {"--deploy",
+                                          (run_.path / "deploy").string(),
+                                          "--run-dir", run_.path.string()};
     if (name == clock()) {
-      arguments.insert(arguments.end(),
-                       {"--seed", std::to_string(run_.seed), "--pace",
-                        options_.pace});
+      arguments.insert(arguments.end(), {"--seed", std::to_string(run_.seed),
+                                         "--pace", options_.pace});
       if (!run_.demonstration.empty()) {
         arguments.insert(arguments.end(),
                          {"--demonstration", run_.demonstration});
@@ -186,13 +185,18 @@ void AddDemo(CLI::App& app, Action* action) {
       "Watch a person assemble: all processes over LCM, on a private network.\n"
       "Example: cell demo --seed 7 --pace realtime");
   options->run.AddTo(*command);
-  command->add_option("--pace", options->pace,
-                      "as fast as the machine allows, or realtime")
+  command
+      ->add_option("--pace", options->pace,
+                   "as fast as the machine allows, or realtime")
       ->check(CLI::IsMember({"fast", "realtime"}))
       ->capture_default_str();
   command->add_option("--kill", options->kills,
                       "SERVICE@TICK: kill -9 it there (may be repeated)");
-  command->callback([=] { *action = [=] { return RunDemo(*options); }; });
+  command->callback([=] {
+    *action = [=] {
+      return RunDemo(*options);
+    };
+  });
 }
 
 }  // namespace cell

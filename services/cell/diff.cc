@@ -73,8 +73,11 @@ void AddDiff(CLI::App& app, Action* action) {
       "Example: cell diff runs/demo-0001 runs/sim-0001");
   command->add_option("first", runs->first, "run folder")->required();
   command->add_option("second", runs->second, "run folder")->required();
-  command->callback(
-      [=] { *action = [=] { return RunDiff(runs->first, runs->second); }; });
+  command->callback([=] {
+    *action = [=] {
+      return RunDiff(runs->first, runs->second);
+    };
+  });
 }
 
 }  // namespace cell

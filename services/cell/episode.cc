@@ -36,8 +36,9 @@ int64_t AwaitTick(LcmPort& port) {
     port.Drain();
   }
   if (!utime) {
-    throw std::runtime_error("no TICK heard in 2 s: does the cell run, and on "
-                             "this --url?");
+    throw std::runtime_error(
+        "no TICK heard in 2 s: does the cell run, and on "
+        "this --url?");
   }
   return *utime;
 }
@@ -80,8 +81,11 @@ void AddEpisode(CLI::App& app, Action* action) {
       ->add_option("--deadline", options->deadline_s,
                    "not executed later than so many seconds of the cell's time")
       ->capture_default_str();
-  command->callback(
-      [=] { *action = [=] { return CommandEpisode(*options); }; });
+  command->callback([=] {
+    *action = [=] {
+      return CommandEpisode(*options);
+    };
+  });
 }
 
 }  // namespace cell

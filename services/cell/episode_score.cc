@@ -65,8 +65,8 @@ std::vector<const alert_t*> AlertsOf(const EpisodeRecord& record,
                             ? after->second
                             : record.last_utime;
   for (const alert_t& alert : record.alerts) {
-    const bool is_of_plan = alert.cause == alert_t::LONGER_PLAN ||
-                            alert.cause == alert_t::NO_PLAN;
+    const bool is_of_plan =
+        alert.cause == alert_t::LONGER_PLAN || alert.cause == alert_t::NO_PLAN;
     if (is_of_plan && alert.header.utime >= from &&
         alert.header.utime <= until) {
       alerts.push_back(&alert);
@@ -126,8 +126,8 @@ EpisodeScore Score(const EpisodeRecord& record) {
                     [](const auto& match) { return match.has_value(); }));
   score.num_invented = static_cast<int>(record.actions.size()) - num_matched;
   for (const alert_t& alert : record.alerts) {
-    const bool is_alarm = alert.cause == alert_t::LONGER_PLAN ||
-                          alert.cause == alert_t::NO_PLAN;
+    const bool is_alarm =
+        alert.cause == alert_t::LONGER_PLAN || alert.cause == alert_t::NO_PLAN;
     score.num_false_alarms +=
         is_alarm && std::find(explained.begin(), explained.end(), &alert) ==
                         explained.end();

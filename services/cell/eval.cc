@@ -97,8 +97,8 @@ int RunEval(const EvalOptions& options) {
   const auto trials = options.evaluation->Trials(runs, options.seed);
   const std::string path =
       options.rows_file.empty()
-          ? fmt::format("runs/eval-{}-seed{}.jsonl",
-                        options.evaluation->name(), options.seed)
+          ? fmt::format("runs/eval-{}-seed{}.jsonl", options.evaluation->name(),
+                        options.seed)
           : options.rows_file;
   RowStore store(path, options.is_resumed);
   RunMissing(options, trials, &store);
@@ -140,20 +140,26 @@ void AddEval(CLI::App& app, Action* action) {
             options->evaluation->name() + " --runs 10 --seed 1");
     command->add_option("--deploy", options->deploy_dir,
                         "folder with config/ and tasks/");
-    command->add_option("--runs", options->runs,
-                        "runs of the largest group (default: as the goal says)")
+    command
+        ->add_option("--runs", options->runs,
+                     "runs of the largest group (default: as the goal says)")
         ->check(CLI::PositiveNumber);
     command->add_option("--seed", options->seed, "of the first run")
         ->capture_default_str();
     command->add_option("--jobs", options->jobs, "processes at a time")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    command->add_option("--json", options->json_file, "write the measures here");
+    command->add_option("--json", options->json_file,
+                        "write the measures here");
     command->add_option("--rows", options->rows_file,
                         "one row a run (default: runs/eval-...)");
     command->add_flag("--resume", options->is_resumed,
                       "keep the rows that are there, run the others");
-    command->callback([=] { *action = [=] { return RunEval(*options); }; });
+    command->callback([=] {
+      *action = [=] {
+        return RunEval(*options);
+      };
+    });
   }
 }
 

@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
       "Example: cell demo --seed 7");
   app.require_subcommand(1);
   cell::Action action;
-  for (const auto add : {cell::AddDemo, cell::AddSim, cell::AddReplay,
-                         cell::AddDiff, cell::AddEval, cell::AddView,
-                         cell::AddEpisode}) {
+  for (const auto add :
+       {cell::AddDemo, cell::AddSim, cell::AddReplay, cell::AddDiff,
+        cell::AddEval, cell::AddView, cell::AddEpisode}) {
     add(app, &action);
   }
   try {

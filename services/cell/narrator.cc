@@ -62,9 +62,9 @@ std::vector<std::string> Narrator::TellKeyFrame(const Message& message) {
   for (const relation_t& r : frame->relations) {
     const auto [it, is_new] =
         relations_.try_emplace({r.first, r.second}, r.relation);
-    const bool is_notable = is_new ? r.relation != relation_t::NOT_TOUCHING &&
-                                         frame->index > 0
-                                   : it->second != r.relation;
+    const bool is_notable =
+        is_new ? r.relation != relation_t::NOT_TOUCHING && frame->index > 0
+               : it->second != r.relation;
     it->second = r.relation;
     if (is_notable) {
       changes.push_back(
@@ -73,8 +73,9 @@ std::vector<std::string> Narrator::TellKeyFrame(const Message& message) {
   }
   return {Line(frame->header.utime,
                fmt::format("key frame {}: {}", frame->index,
-                           changes.empty() ? "as it stands"
-                                           : fmt::format("{}", fmt::join(changes, "; "))))};
+                           changes.empty()
+                               ? "as it stands"
+                               : fmt::format("{}", fmt::join(changes, "; "))))};
 }
 
 std::vector<std::string> Narrator::TellAction(const Message& message) {
@@ -133,10 +134,10 @@ std::vector<std::string> Narrator::TellPlan(const Message& message) {
   for (const plan_step_t& step : plan->next) {
     next.push_back(Call(step, step.action));
   }
-  return {Continued(fmt::format("plan, {:.2f} actions expected: {}",
-                                plan->expected_actions,
-                                fmt::join(steps, ", "))),
-          Continued(fmt::format("possible now: {}", fmt::join(next, ", ")))};
+  return {
+      Continued(fmt::format("plan, {:.2f} actions expected: {}",
+                            plan->expected_actions, fmt::join(steps, ", "))),
+      Continued(fmt::format("possible now: {}", fmt::join(next, ", ")))};
 }
 
 std::vector<std::string> Narrator::TellAlert(const Message& message) {
@@ -157,14 +158,14 @@ std::vector<std::string> Narrator::TellEpisode(const Message& message) {
   }
   relations_.clear();
   literals_.clear();
-  return {Line(episode->header.utime,
-               fmt::format("episode {}: task {}, goal {}, {} (seed {})",
-                           episode->id, episode->task, episode->goal,
-                           episode->demonstration.empty()
-                               ? "nobody acts"
-                               : "a person does '" + episode->demonstration +
-                                     "'",
-                           episode->seed))};
+  return {
+      Line(episode->header.utime,
+           fmt::format("episode {}: task {}, goal {}, {} (seed {})",
+                       episode->id, episode->task, episode->goal,
+                       episode->demonstration.empty()
+                           ? "nobody acts"
+                           : "a person does '" + episode->demonstration + "'",
+                       episode->seed))};
 }
 
 }  // namespace cell

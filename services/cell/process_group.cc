@@ -37,7 +37,9 @@ std::string CauseOf(int status) {
 
 }  // namespace
 
-ProcessGroup::~ProcessGroup() { StopAll(0); }
+ProcessGroup::~ProcessGroup() {
+  StopAll(0);
+}
 
 void ProcessGroup::Start(const std::string& name,
                          const std::filesystem::path& program,
@@ -87,8 +89,7 @@ std::vector<ProcessGroup::Death> ProcessGroup::TakeDeaths() {
 void ProcessGroup::StopAll(int grace_ms) {
   for (const auto& [name, pid] : pids_) kill(pid, SIGTERM);
   constexpr int kStepMs = 10;
-  for (int waited = 0; waited < grace_ms && !pids_.empty();
-       waited += kStepMs) {
+  for (int waited = 0; waited < grace_ms && !pids_.empty(); waited += kStepMs) {
     TakeDeaths();
     if (!pids_.empty()) poll(nullptr, 0, kStepMs);
   }

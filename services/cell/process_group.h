@@ -31,9 +31,7 @@ class ProcessGroup {
              const std::vector<std::string>& arguments,
              const std::filesystem::path& log);
   void Kill(const std::string& name, int signal);
-  bool IsRunning(const std::string& name) const {
-    return pids_.contains(name);
-  }
+  bool IsRunning(const std::string& name) const { return pids_.contains(name); }
   /// Those that have died since the last call.
   std::vector<Death> TakeDeaths();
   /// SIGTERM to all, SIGKILL to those that are still there after `grace_ms`.

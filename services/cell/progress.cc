@@ -10,7 +10,9 @@ Progress::Progress()
     : is_terminal_(isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()) {}
 
-Progress::~Progress() { Clear(); }
+Progress::~Progress() {
+  Clear();
+}
 
 void Progress::Show(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();

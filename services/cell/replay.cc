@@ -83,7 +83,11 @@ void AddReplay(CLI::App& app, Action* action) {
                     "recompute and compare byte for byte");
   command->add_option("--service", options->services,
                       "only this one (may be repeated)");
-  command->callback([=] { *action = [=] { return RunReplay(*options); }; });
+  command->callback([=] {
+    *action = [=] {
+      return RunReplay(*options);
+    };
+  });
 }
 
 }  // namespace cell

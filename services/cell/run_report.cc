@@ -11,7 +11,9 @@
 namespace cell {
 namespace {
 
-double SimSeconds(int32_t tick) { return tick * kTickUs * 1e-6; }
+double SimSeconds(int32_t tick) {
+  return tick * kTickUs * 1e-6;
+}
 
 }  // namespace
 
@@ -29,10 +31,11 @@ void RunReport::Follow() {
     for (const std::string& line : narrator_.Tell(*message)) Say(line);
   }
   const double elapsed = progress_.ElapsedSeconds();
-  progress_.Show(fmt::format("{:.1f} s simulated, {:.1f} x real time, {} "
-                             "actions seen",
-                             SimSeconds(tick_), SimSeconds(tick_) / elapsed,
-                             observer_.record().actions.size()));
+  progress_.Show(
+      fmt::format("{:.1f} s simulated, {:.1f} x real time, {} "
+                  "actions seen",
+                  SimSeconds(tick_), SimSeconds(tick_) / elapsed,
+                  observer_.record().actions.size()));
 }
 
 void RunReport::Say(const std::string& line) {
@@ -61,13 +64,12 @@ int RunReport::Finish() {
       "\nrecognised {}/{} steps, {} taken back, {} moved, {} invented\n",
       score.num_steps_recognised, score.num_steps, score.num_take_backs_named,
       score.num_moves_named, score.num_invented);
-  std::cout << fmt::format("plan: {}\n",
-                           score.is_goal_reached
-                               ? "the last state is the goal"
-                               : "the goal is not reached");
-  std::cout << fmt::format("{:.1f} s simulated in {:.1f} s: {:.1f} x real time\n",
-                           SimSeconds(tick_), elapsed,
-                           SimSeconds(tick_) / elapsed);
+  std::cout << fmt::format("plan: {}\n", score.is_goal_reached
+                                             ? "the last state is the goal"
+                                             : "the goal is not reached");
+  std::cout << fmt::format(
+      "{:.1f} s simulated in {:.1f} s: {:.1f} x real time\n", SimSeconds(tick_),
+      elapsed, SimSeconds(tick_) / elapsed);
   std::cout << "picture " << picture << "\nlog     "
             << (run_.path / "cell-0001.lcmlog").string() << std::endl;
   return record.has_ended ? 0 : 1;

@@ -15,11 +15,15 @@ std::map<std::string, ServiceFactory> AllServices(
     const Deployment& deployment, const std::string& demonstration,
     uint64_t seed) {
   const auto of = [&deployment](const ServiceMaker& maker) -> ServiceFactory {
-    return [maker, deployment](Bus& bus) { return maker(bus, deployment); };
+    return [maker, deployment](Bus& bus) {
+      return maker(bus, deployment);
+    };
   };
   return {
       {"vtb",
-       [=](Bus& bus) { return MakeVtb(bus, deployment, demonstration, seed); }},
+       [=](Bus& bus) {
+         return MakeVtb(bus, deployment, demonstration, seed);
+       }},
       {"tracker", of(MakeTracker)},
       {"sec_builder", of(MakeSecBuilder)},
       {"recognizer", of(MakeRecognizer)},

@@ -56,7 +56,11 @@ void AddSim(CLI::App& app, Action* action) {
   options->run.AddTo(*command);
   command->add_option("--deaths-of", options->deaths_of,
                       "run folder whose services' deaths are repeated");
-  command->callback([=] { *action = [=] { return RunSim(*options); }; });
+  command->callback([=] {
+    *action = [=] {
+      return RunSim(*options);
+    };
+  });
 }
 
 }  // namespace cell

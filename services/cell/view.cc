@@ -68,8 +68,7 @@ void AddView(CLI::App& app, Action* action) {
       "Example: cell view runs/demo-0001 --at 20 --out scene.png");
   command->add_option("run", options->run, "run folder")->required();
   command->add_option("--at", options->at_s, "[s] moment (default: the last)");
-  command->add_option("--out", options->out, "PNG file")
-      ->capture_default_str();
+  command->add_option("--out", options->out, "PNG file")->capture_default_str();
   command->add_flag("--ids", options->viewpoint.is_of_ids,
                     "every body in a colour of its own");
   command
@@ -86,7 +85,11 @@ void AddView(CLI::App& app, Action* action) {
                    "[m] of the camera")
       ->check(CLI::Range(0.1, 10.0))
       ->capture_default_str();
-  command->callback([=] { *action = [=] { return RunView(*options); }; });
+  command->callback([=] {
+    *action = [=] {
+      return RunView(*options);
+    };
+  });
 }
 
 }  // namespace cell

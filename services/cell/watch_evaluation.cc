@@ -75,8 +75,7 @@ class WatchEvaluation final : public Evaluation {
     }
     json row = ToJson(Score(observer.record()));
     row["script"] = script;
-    row["seconds"] =
-        static_cast<double>(observer.record().last_utime) * 1e-6;
+    row["seconds"] = static_cast<double>(observer.record().last_utime) * 1e-6;
     return row;
   }
 
@@ -96,7 +95,8 @@ class WatchEvaluation final : public Evaluation {
               "take_backs_warned", "take_backs"),
         Share(rows, "taken_back", "unknown moves named unknown", "moves_named",
               "moves"),
-        Runs(rows, "taken_back", "runs all named, none invented, no false alarm",
+        Runs(rows, "taken_back",
+             "runs all named, none invented, no false alarm",
              [](const json& row) {
                return row["steps_recognised"] == row["steps"] &&
                       row["invented"] == 0 && row["false_alarms"] == 0;

@@ -17,7 +17,8 @@ class LogStore {
   explicit LogStore(const std::filesystem::path& run_dir);
 
   /// Writes the messages and hands them to the system: a death of this process
-  /// loses none of them. @throws std::runtime_error, e.g. when the disk is full.
+  /// loses none of them. @throws std::runtime_error, e.g. when the disk is
+  /// full.
   void Append(const std::vector<Message>& messages);
 
  private:

@@ -41,8 +41,7 @@ void Recorder::OnTick(const Message& message) {
     const auto self =
         std::find_if(tick.joined.begin(), tick.joined.end(),
                      [](const joined_t& j) { return j.name == "recorder"; });
-    const bool is_reborn =
-        self != tick.joined.end() && self->death_tick >= 0;
+    const bool is_reborn = self != tick.joined.end() && self->death_tick >= 0;
     return ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
   }
   order_.Put(message);

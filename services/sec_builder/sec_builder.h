@@ -35,10 +35,10 @@ class SecBuilder final : public Service {
   Cast cast_;
   EventChain::Params chain_params_;
   ProximitySensor sensor_;
-  EventChain chain_;                   // of the episode
-  int64_t start_utime_ = 0;            // of the episode
-  std::optional<int64_t> last_utime_;
-  std::optional<int64_t> first_index_;  // of this chain's key frames  // of its tracks
+  EventChain chain_;                    // of the episode
+  int64_t start_utime_ = 0;             // of the episode
+  std::optional<int64_t> last_utime_;   // of its tracks
+  std::optional<int64_t> first_index_;  // of its key frames
 };
 
 std::unique_ptr<Service> MakeSecBuilder(Bus& bus, const Deployment& deployment);

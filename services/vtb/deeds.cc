@@ -45,8 +45,7 @@ std::optional<std::string> Deeds::SeatOf(const std::string& name,
           (world.PoseOf(host.name) * site.X_HS).inverse() * X_WO;
       const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
       if (std::abs(X_SO.translation().z()) < kSeatSlack * rule->max_height &&
-          X_SO.translation().head<2>().norm() <
-              kSeatSlack * rule->max_offset &&
+          X_SO.translation().head<2>().norm() < kSeatSlack * rule->max_offset &&
           tilt < kSeatSlack * rule->max_tilt) {
         return site.name;
       }

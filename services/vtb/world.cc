@@ -252,9 +252,9 @@ void World::CheckPhysics() const {
   for (int i = 0; i < mjNWARNING; ++i) {
     const mjWarningStat& warning = data_->warning[i];
     if (warning.number == 0) continue;
-    throw std::runtime_error(fmt::format(
-        "physics broke down at {:.3f} s: {}", data_->time,
-        mju_warningText(i, static_cast<size_t>(warning.lastinfo))));
+    throw std::runtime_error(
+        fmt::format("physics broke down at {:.3f} s: {}", data_->time,
+                    mju_warningText(i, static_cast<size_t>(warning.lastinfo))));
   }
 }
 

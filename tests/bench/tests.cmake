@@ -3,12 +3,10 @@ add_executable(bus_bench bench/bus_bench.cc)
 target_include_directories(bus_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(bus_bench PRIVATE
   cell_bus benchmark::benchmark Threads::Threads cell_warnings)
-if(TARGET cell_cli)
-  add_executable(whole_cell_bench bench/whole_cell_bench.cc)
-  target_include_directories(whole_cell_bench PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(whole_cell_bench PRIVATE
+add_executable(whole_cell_bench bench/whole_cell_bench.cc)
+target_include_directories(whole_cell_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(whole_cell_bench PRIVATE
     cell_cli mujoco::mujoco fmt::fmt cell_warnings)
-endif()
 add_executable(watching_bench bench/watching_bench.cc)
 target_include_directories(watching_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(watching_bench PRIVATE

@@ -61,10 +61,10 @@ double BareStepSeconds(const Roster& roster, const Deployment& deployment) {
 double LcmSeconds(const std::filesystem::path& run) {
   const auto bin =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string command =
-      fmt::format("{} demo --hash --seed {} --demonstration {} --out {} "
-                  "> /dev/null",
-                  (bin / "cell").string(), kSeed, kScript, run.string());
+  const std::string command = fmt::format(
+      "{} demo --hash --seed {} --demonstration {} --out {} "
+      "> /dev/null",
+      (bin / "cell").string(), kSeed, kScript, run.string());
   if (std::system(command.c_str()) != 0) {
     throw std::runtime_error("cell demo failed; see " + run.string());
   }
@@ -80,9 +80,10 @@ double LcmSeconds(const std::filesystem::path& run) {
 }
 
 void Print(const char* what, double wall_s, double sim_s, double bare_s) {
-  std::cout << fmt::format("{:34} {:7.2f} s  {:6.1f} x real time  {:5.2f} of "
-                           "bare mj_step's speed\n",
-                           what, wall_s, sim_s / wall_s, bare_s / wall_s);
+  std::cout << fmt::format(
+      "{:34} {:7.2f} s  {:6.1f} x real time  {:5.2f} of "
+      "bare mj_step's speed\n",
+      what, wall_s, sim_s / wall_s, bare_s / wall_s);
 }
 
 int Main(const std::filesystem::path& scratch) {

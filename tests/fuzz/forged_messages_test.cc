@@ -123,7 +123,10 @@ class Forger {
         std::numeric_limits<double>::quiet_NaN(),
         std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity(),
-        1e300, -1e300, 5e-324, 0.0};
+        1e300,
+        -1e300,
+        5e-324,
+        0.0};
     switch (Below(4)) {
       case 0:
         (*bytes)[at] = static_cast<uint8_t>(random_());
@@ -247,7 +250,9 @@ TEST(ForgedMessages, OfTheProtocolMoveNeitherClockNorNode) {
         LockstepNode node(roster, "recorder", 1,
                           [](Bus&) { return std::make_unique<Service>(); },
                           {.send_data = [](const Message&) {},
-                           .send_ack = [](const ack_t&) {}});
+                           .send_ack =
+                               [](const ack_t&) {
+                               }});
         node.PutTick(*tick);
         node.Advance();
       }

@@ -51,13 +51,16 @@ class CellCommand : public testing::Test {
   fs::path dir_;
 };
 
-TEST_F(CellCommand, TheSameSeedGivesTheSameBytesOverLcmBusyOrNotAndInOneProcess) {
+TEST_F(CellCommand,
+       TheSameSeedGivesTheSameBytesOverLcmBusyOrNotAndInOneProcess) {
   const std::string idle = Hash("demo --seed 7 --out a").output;
   // Two busy loops beside it, which end by themselves.
   const std::string busy =
-      Shell("for i in 1 2; do timeout 60 sh -c 'while :; do :; done' & done; "
-            "cd " + dir_.string() + " && " + kCell +
-            " demo --seed 7 --hash --out b 2>/dev/null; kill $(jobs -p)")
+      Shell(
+          "for i in 1 2; do timeout 60 sh -c 'while :; do :; done' & done; "
+          "cd " +
+          dir_.string() + " && " + kCell +
+          " demo --seed 7 --hash --out b 2>/dev/null; kill $(jobs -p)")
           .output;
   const std::string sim = Hash("sim --seed 7 --out c").output;
   EXPECT_EQ(idle, sim);

@@ -77,8 +77,7 @@ class Cell {
   void StartClock() {
     threads_.emplace_back([this] {
       Guard([&] {
-        RunLcmClock(address_, ToyRoster(),
-                    ToyFactories(kNumTicks).at("source"),
+        RunLcmClock(address_, ToyRoster(), ToyFactories(kNumTicks).at("source"),
                     {.giveup_s = giveup_s_}, stop_);
       });
       is_clock_done_ = true;
@@ -163,7 +162,8 @@ TEST_F(LcmLockstep, TwoCellsOnOnePortSayWhatToDo) {
   }
   Listener listener(address);
   while (!one.is_clock_done() || !two.is_clock_done()) listener.Listen();
-  EXPECT_THAT(one.failure() + two.failure(), testing::HasSubstr("its own port"));
+  EXPECT_THAT(one.failure() + two.failure(),
+              testing::HasSubstr("its own port"));
 }
 
 TEST_F(LcmLockstep, AMissingServiceIsNamedWhenTheClockGivesUp) {

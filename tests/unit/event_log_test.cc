@@ -7,10 +7,10 @@
 #include <lcm/lcm-cpp.hpp>
 #include <random>
 
+#include "common/bus/manifest.h"
 #include "common/bus/replay.h"
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
-#include "common/bus/manifest.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -138,9 +138,8 @@ TEST_F(EventLog, APlantedDifferenceIsFoundWithTickAndChannel) {
         return std::make_unique<toy::Adder>(bus, "SOURCE", "TRIPLE");
       });
   ASSERT_TRUE(result.difference);
-  EXPECT_THAT(*result.difference,
-              testing::AllOf(testing::HasSubstr("tick "),
-                             testing::HasSubstr("DOUBLE")));
+  EXPECT_THAT(*result.difference, testing::AllOf(testing::HasSubstr("tick "),
+                                                 testing::HasSubstr("DOUBLE")));
 }
 
 TEST_F(EventLog, ADamagedRunNamesTheMessageThatIsGone) {

@@ -54,7 +54,10 @@ class Wire {
         roster_, name, ++next_nonce_, factories_.at(name),
         LockstepNode::Link{
             .send_data = [this](const Message& m) { data_.push_back(m); },
-            .send_ack = [this](const ack_t& a) { acks_.push_back(a); }});
+            .send_ack =
+                [this](const ack_t& a) {
+                  acks_.push_back(a);
+                }});
     EXPECT_EQ(clock_.Hello(nodes_[name]->Hello()), std::nullopt);
   }
 
@@ -65,9 +68,8 @@ class Wire {
     while (digests.empty() || !last_) {
       const int32_t tick = clock_.tick() + 1;
       std::vector<MessageId> ids = MessagesIn(clock_.CurrentFlows());
-      std::erase_if(ids, [&](const auto& id) {
-        return !host_.Wants(id.channel);
-      });
+      std::erase_if(ids,
+                    [&](const auto& id) { return !host_.Wants(id.channel); });
       auto inputs = clock_inbox_.Take(ids);
       EXPECT_TRUE(inputs) << "tick " << tick;
       const auto own = host_.Tick(tick, *inputs, {});
@@ -182,8 +184,8 @@ TEST(Lockstep, ARestartedServiceEqualsTheSameOutageInOneProcess) {
 }
 
 TEST(Lockstep, CommandsArriveInTheirTick) {
-  const auto with = RunSim(
-      {}, {{10, {"COMMAND_ADD", Bus::Encode(toy::Number(0, 5))}}});
+  const auto with =
+      RunSim({}, {{10, {"COMMAND_ADD", Bus::Encode(toy::Number(0, 5))}}});
   const auto without = RunSim();
   EXPECT_TRUE(std::equal(with.begin(), with.begin() + 10, without.begin()));
   EXPECT_NE(with[10], without[10]);
@@ -208,7 +210,9 @@ TEST(Lockstep, NamesTheMessageThatIsMissing) {
   const Roster roster = ToyRoster();
   LockstepNode node(roster, "first", 5, ToyFactories(9).at("first"),
                     {.send_data = [](const Message&) {},
-                     .send_ack = [](const ack_t&) {}});
+                     .send_ack =
+                         [](const ack_t&) {
+                         }});
   tick_t tick{};
   tick.run = 1;
   tick.num_joined = 1;
@@ -238,7 +242,9 @@ TEST(Lockstep, HearsASecondCellAndASecondLife) {
   const Roster roster = ToyRoster();
   LockstepNode node(roster, "first", 5, ToyFactories(9).at("first"),
                     {.send_data = [](const Message&) {},
-                     .send_ack = [](const ack_t&) {}});
+                     .send_ack =
+                         [](const ack_t&) {
+                         }});
   tick_t tick{};
   tick.run = 1;
   tick.num_joined = 1;

@@ -19,22 +19,22 @@ namespace fs = std::filesystem;
 
 // Sources that touch the world by trade, and why.
 const std::set<std::string> kAdapters = {
-    "common/config/config.cc",          // reads YAML files
-    "common/config/deployment.h",       // names them
-    "common/node/run_clock.cc",         // a process's arguments
-    "common/node/run_service.cc",       // a process's arguments and signals
-    "common/node/run_service.h",        // the flag that a signal sets
-    "common/rendering/png_file.cc",     // writes pictures
-    "services/cell/demo.cc",            // starts the cell's processes
-    "services/cell/episode.cc",         // an operator's word to the clock
-    "services/cell/eval.cc",            // writes the measures
-    "services/cell/job_pool.cc",        // processes of an evaluation
-    "services/cell/process_group.cc",   // processes of a demonstration
-    "services/cell/progress.cc",        // the wall clock for the person
-    "services/cell/progress.h",         //
-    "services/cell/row_store.cc",       // rows of an evaluation
-    "services/cell/run_folder.cc",      // what a run leaves behind
-    "services/recorder/log_store.cc",   // the log
+    "common/config/config.cc",         // reads YAML files
+    "common/config/deployment.h",      // names them
+    "common/node/run_clock.cc",        // a process's arguments
+    "common/node/run_service.cc",      // a process's arguments and signals
+    "common/node/run_service.h",       // the flag that a signal sets
+    "common/rendering/png_file.cc",    // writes pictures
+    "services/cell/demo.cc",           // starts the cell's processes
+    "services/cell/episode.cc",        // an operator's word to the clock
+    "services/cell/eval.cc",           // writes the measures
+    "services/cell/job_pool.cc",       // processes of an evaluation
+    "services/cell/process_group.cc",  // processes of a demonstration
+    "services/cell/progress.cc",       // the wall clock for the person
+    "services/cell/progress.h",        //
+    "services/cell/row_store.cc",      // rows of an evaluation
+    "services/cell/run_folder.cc",     // what a run leaves behind
+    "services/recorder/log_store.cc",  // the log
 };
 
 std::vector<fs::path> Sources() {
@@ -87,12 +87,12 @@ std::set<std::string> WordsOf(const std::string& text) {
 
 TEST(Purity, CoresTouchNeitherBusClockThreadFileNorChance) {
   const std::vector<std::string> banned = {
-      "#include <lcm",  "lcm::",         "<chrono>",       "steady_clock",
-      "system_clock",   "sleep",         "gettimeofday",   "clock_gettime",
-      "std::thread",    "std::async",    "std::mutex",     "std::atomic",
-      "pthread_",       "<fstream>",     "ifstream",       "ofstream",
-      "fopen",          "getenv",        "random_device",  "std::rand",
-      "srand",          "std::cout",     "std::cerr"};
+      "#include <lcm", "lcm::",      "<chrono>",      "steady_clock",
+      "system_clock",  "sleep",      "gettimeofday",  "clock_gettime",
+      "std::thread",   "std::async", "std::mutex",    "std::atomic",
+      "pthread_",      "<fstream>",  "ifstream",      "ofstream",
+      "fopen",         "getenv",     "random_device", "std::rand",
+      "srand",         "std::cout",  "std::cerr"};
   // The command line talks to a person; that is no input of the cell.
   const auto may_print = [](const fs::path& path, const std::string& token) {
     return path.string().starts_with("services/cell/") &&
@@ -135,9 +135,9 @@ TEST(Purity, MainsAreTiny) {
 }
 
 TEST(Purity, WordsAreSplitWhereCamelCaseSplits) {
-  EXPECT_THAT(WordsOf("RoundPeg template round_plate"),
-              testing::UnorderedElementsAre("round", "peg", "template",
-                                            "plate"));
+  EXPECT_THAT(
+      WordsOf("RoundPeg template round_plate"),
+      testing::UnorderedElementsAre("round", "peg", "template", "plate"));
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ TEST(Stepper, CountsWhatItCannotUseAndSaysSoInStatus) {
   Stepper stepper({.name = "s", .status_phase = 3});
   stepper.Subscribe<status_t>("A", [](const status_t&) {});
   Message bad = MessageOn("A", 3, 0, 0, 1);
-  bad.bytes = std::make_shared<const Bytes>(bad.bytes->begin(),
-                                            bad.bytes->end() - 1);
+  bad.bytes =
+      std::make_shared<const Bytes>(bad.bytes->begin(), bad.bytes->end() - 1);
   stepper.Accept(3, {bad, MessageOn("A", 3, 0, 1, 1)});
   const auto outputs = stepper.Run();
   ASSERT_EQ(outputs.size(), 1u);
@@ -114,7 +114,8 @@ TEST(Stepper, CountsWhatItCannotUseAndSaysSoInStatus) {
 }
 
 TEST(Stepper, RefusesGroundTruthToWhoEstimates) {
-  const auto handler = [](const status_t&) {};
+  const auto handler = [](const status_t&) {
+  };
   Stepper estimator({.name = "planner"});
   EXPECT_THROW(estimator.Subscribe<status_t>("TRUTH_POSES", handler),
                std::logic_error);

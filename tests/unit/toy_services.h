@@ -53,9 +53,8 @@ class Adder : public Service {
       bus.Publish(to, Number(message.header.utime, sum_));
       return true;
     });
-    bus.Every(5, 2, [this, &bus, to] {
-      bus.Publish(to, Number(bus.now(), -sum_));
-    });
+    bus.Every(5, 2,
+              [this, &bus, to] { bus.Publish(to, Number(bus.now(), -sum_)); });
   }
 
  private:
@@ -64,10 +63,10 @@ class Adder : public Service {
 
 /// source -> first -> second (slow) -> source
 inline Roster ToyRoster(int32_t slow_latency = 3) {
-  return {.task = "toy",
-          .entries = {{"source", 1, ""},
-                      {"first", 1, ""},
-                      {"second", slow_latency, ""}}};
+  return {
+      .task = "toy",
+      .entries = {
+          {"source", 1, ""}, {"first", 1, ""}, {"second", slow_latency, ""}}};
 }
 
 inline std::map<std::string, ServiceFactory> ToyFactories(int32_t num_ticks) {
