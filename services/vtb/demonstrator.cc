@@ -152,6 +152,11 @@ void Demonstrator::Update(double dt, World& world) {
 
 /// What is out of the ordinary happens while both hands are free.
 void Demonstrator::Decide(World& world) {
+  const bool is_event_running =
+      std::ranges::any_of(hands_, [](const Hand& hand) {
+        return !hand.actor.is_idle() && hand.placement < 0;
+      });
+  if (is_event_running) return;
   const bool is_event_due =
       !to_correct_.empty() ||
       (!events_.empty() && events_.front().when <= NumDone());
