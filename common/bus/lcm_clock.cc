@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kRepeatPeriod = 200ms;
 constexpr auto kWarnPeriod = 5s;
-constexpr auto kLossTimeout = 2s;
+constexpr auto kLossTimeout = 5s;
 constexpr size_t kMaxWaitingCommands = 100;
 
 int64_t RandomRun() {

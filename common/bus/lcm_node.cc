@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kHelloPeriod = 50ms;
 constexpr auto kHealthPeriod = 1s;
-constexpr auto kLossTimeout = 2s;
+constexpr auto kLossTimeout = 5s;
 
 int64_t RandomNonce() {
   std::random_device device;

@@ -14,6 +14,7 @@
 #include "common/bus/private_network.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands.h"
+#include "services/cell/output_follower.h"
 #include "services/cell/process_group.h"
 #include "services/cell/run_options.h"
 #include "services/cell/run_report.h"
@@ -55,6 +56,9 @@ class Demo {
  public:
   Demo(const DemoOptions& options, const RunFolder& run)
       : options_(options), run_(run), report_(run, options.run.is_hash) {
+    for (const Roster::Entry& entry : run.roster.entries) {
+      outputs_.Add(LogOf(entry.name));
+    }
     for (const std::string& text : options.kills) {
       kills_.push_back(ParseKill(text, run.roster));
     }
@@ -83,10 +87,12 @@ class Demo {
       WaitForAny(ports, kLookMs);
       if (ticks) ticks->Drain();
       report_.Follow();
+      PassOnOutputs();
       for (const auto& death : processes_.TakeDeaths()) OnDeath(death);
       resident_bytes_ = std::max(resident_bytes_, processes_.ResidentBytes());
     }
     AwaitOthers();
+    PassOnOutputs();
     const int result = report_.Finish();
     report_.Say(fmt::format("resident memory of all services: {} MB",
                             resident_bytes_ >> 20));
@@ -145,6 +151,11 @@ class Demo {
     Start(death.name);
   }
 
+  // What the processes say is for the person, too.
+  void PassOnOutputs() {
+    for (const std::string& line : outputs_.TakeLines()) report_.Say(line);
+  }
+
   // The others end by themselves after the last tick.
   void AwaitOthers() {
     constexpr int kStepMs = 10;
@@ -164,6 +175,7 @@ class Demo {
   const RunFolder& run_;
   RunReport report_;
   ProcessGroup processes_;
+  OutputFollower outputs_;
   std::vector<PlannedKill> kills_;
   std::map<std::string, int> num_restarts_;
   int64_t resident_bytes_ = 0;

@@ -38,6 +38,26 @@ void RunReport::Follow() {
                   observer_.record().actions.size()));
 }
 
+std::string RunReport::DrawPicture() const {
+  const auto& poses = observer_.record().last_poses;
+  if (!poses) return "none: the log has no poses";
+  const auto path = run_.path / "final.png";
+  const auto num_pixels = DrawScene(run_.deployment, *poses, {}, path);
+  // Hands are named with a dot, "<hand>.<box>".
+  std::string least;
+  int least_pixels = 0;
+  for (const body_pose_t& body : poses->bodies) {
+    if (body.name.find('.') != std::string::npos) continue;
+    const auto it = num_pixels.find(body.name);
+    const int num = it == num_pixels.end() ? 0 : it->second;
+    if (!least.empty() && num >= least_pixels) continue;
+    least = body.name;
+    least_pixels = num;
+  }
+  return fmt::format("{} (least to be seen of {}: {} pixels)", path.string(),
+                     least, least_pixels);
+}
+
 void RunReport::Say(const std::string& line) {
   progress_.Clear();
   (is_hash_ ? std::cerr : std::cout) << line << std::endl;
@@ -54,12 +74,7 @@ int RunReport::Finish() {
   }
   const EpisodeScore score = Score(record);
   const double elapsed = progress_.ElapsedSeconds();
-  std::string picture = "none";
-  if (record.last_poses) {
-    const auto path = run_.path / "final.png";
-    DrawScene(run_.deployment, *record.last_poses, {}, path);
-    picture = path.string();
-  }
+  const std::string picture = DrawPicture();
   std::cout << fmt::format(
       "\nrecognised {}/{} steps, {} taken back, {} moved, {} invented\n",
       score.num_steps_recognised, score.num_steps, score.num_take_backs_named,

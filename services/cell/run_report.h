@@ -29,6 +29,8 @@ class RunReport {
   int32_t tick() const { return tick_; }
 
  private:
+  std::string DrawPicture() const;
+
   const RunFolder& run_;
   bool is_hash_;
   LogFollower follower_;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -178,6 +179,10 @@ TEST_F(CellCommand, TheWholeAssemblyIsRecognisedOverLcm) {
   EXPECT_THAT(run.output, HasSubstr("recognised 9/9 steps"));
   EXPECT_THAT(run.output, HasSubstr("the last state is the goal"));
   EXPECT_GT(fs::file_size(dir_ / "a" / "final.png"), 10'000u);
+  std::smatch least;
+  ASSERT_TRUE(std::regex_search(run.output, least,
+                                std::regex(R"(to be seen of \w+: (\d+) pix)")));
+  EXPECT_GE(std::stoi(least[1]), 50) << "a part is hidden in the picture";
 }
 
 TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
@@ -240,6 +245,33 @@ TEST_F(CellCommand, WithoutAMulticastRouteAServiceSaysWhatToDo) {
       Shell("unshare -rn " + std::string(CELL_BIN_DIR) + "/planner");
   EXPECT_EQ(run.code, 1) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ip route add 224.0.0.0/4 dev lo"));
+}
+
+// Services started by hand on a private network, and a word to the clock.
+TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
+  const std::string bin = CELL_BIN_DIR;
+  std::ofstream(dir_ / "run.sh")
+      << "ip link set lo up && ip route add 224.0.0.0/4 dev lo\n"
+         "for s in tracker sec_builder recognizer predicate_estimator planner "
+         "recorder; do "
+      << bin << "/$s --run-dir . & done\n"
+      << bin << "/vtb --pace realtime --giveup 60 & clock=$!\n"
+      << "for try in 1 2 3 4 5 6 7 8 9 10; do " << bin
+      << "/cell episode end --deadline 5 && break; done\n"
+         "wait $clock\n";
+  const ShellResult run =
+      Shell("cd " + dir_.string() + " && unshare -rn bash run.sh");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("asked the clock to end the episode"));
+  const RunLog log = RunLog::Load(dir_);
+  int num_commands = 0;
+  for (const auto& [k, tick] : log.ticks()) {
+    for (const Message& message : tick.messages) {
+      num_commands += message.channel == "COMMAND_EPISODE";
+    }
+  }
+  EXPECT_EQ(num_commands, 1);
+  EXPECT_LT(log.ticks().size(), 5000u) << "the episode went on";
 }
 
 // Every indented line of the README that calls the built program.
