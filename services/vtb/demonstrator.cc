@@ -226,12 +226,22 @@ bool Demonstrator::IsWayFree(const HandActor& actor, const World& world) const {
   });
 }
 
-/// While a rule is yet to be broken, the last of its conditions stays open.
-bool Demonstrator::WouldSpoilMistake(const Placement& placement) const {
-  const bool is_planned = std::ranges::any_of(events_, [](const Event& event) {
-    return event.kind == EventKind::kTooEarly;
-  });
-  if (!is_planned) return false;
+/// What a planned mistake needs stays as it is: of the conditions of a rule to
+/// be broken the last, of the parts to be laid outside one.
+bool Demonstrator::WouldSpoilMistake(const Placement& placement,
+                                     const World& world) const {
+  const auto is_planned = [&](EventKind kind) {
+    return std::ranges::find(events_, kind, &Event::kind) != events_.end();
+  };
+  if (is_planned(EventKind::kLayOutside) &&
+      Contains(script_->lay_outside, placement.rule->part_type)) {
+    size_t num_free = 0;
+    for (const std::string& type : script_->lay_outside) {
+      num_free += FreeParts(type, world).size();
+    }
+    return num_free <= 1;
+  }
+  if (!is_planned(EventKind::kTooEarly)) return false;
   const std::vector<std::string>& conditions =
       book_->rules.at(*script_->too_early).after;
   const auto num_open =
@@ -247,7 +257,7 @@ void Demonstrator::PlaceNext(Hand& hand, World& world) {
   for (size_t i = 0; i < placements_.size(); ++i) {
     const Placement& placement = placements_[i];
     if (placement.state != Placement::State::kOpen ||
-        WouldSpoilMistake(placement)) {
+        WouldSpoilMistake(placement, world)) {
       continue;
     }
     if (IsReady(placement, false)) ready.push_back(i);

@@ -70,7 +70,7 @@ class Demonstrator {
   bool IsReady(const Placement& placement, bool soon) const;
   bool IsLoose(const Placement& placement) const;
   bool IsWayFree(const HandActor& actor, const World& world) const;
-  bool WouldSpoilMistake(const Placement& placement) const;
+  bool WouldSpoilMistake(const Placement& placement, const World& world) const;
   std::optional<Eigen::Isometry3d> PlaceFor(const std::string& part,
                                             double min_way, const World& world);
   std::vector<std::string> FreeParts(const std::string& type,
