@@ -56,7 +56,8 @@ class Bus {
                             std::vector<uint8_t> bytes) = 0;
 
   /// Calls `timer` in every tick with tick % period_ticks == phase, after the
-  /// tick's messages.
+  /// tick's messages. A service with a latency of more than a tick is not woken
+  /// by timers: those that fell due run with its next message.
   virtual void Every(int32_t period_ticks, int32_t phase,
                      std::function<void()> timer) = 0;
 

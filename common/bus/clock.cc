@@ -46,10 +46,9 @@ bool Clock::Ack(const ack_t& ack) {
   }
   Seat& seat = seats_[index];
   const int32_t lead = roster_.entries[index].latency - 1;
-  // A slow service is often done long before the tick of its outputs.
   const bool is_new = ack.nonce == seat.nonce && seat.life >= 0 &&
                       !seat.is_dead && ack.header.tick > seat.acted &&
-                      ack.header.tick <= tick_ + (ack.is_busy ? 0 : lead);
+                      ack.header.tick <= tick_;
   if (!is_new) return false;
   if (ack.is_busy) {
     if (ack.until != ack.header.tick + lead) return false;
@@ -93,15 +92,6 @@ std::vector<flow_t> Clock::CurrentFlows() const {
   return flows;
 }
 
-// Outputs that are due after the death are void, with their activation.
-int32_t Clock::DeathTickOf(size_t index) const {
-  const Seat& seat = seats_[index];
-  if (seat.life < 0) return -1;
-  const bool is_cut_short = seat.acted >= tick_;
-  return is_cut_short ? seat.acted - roster_.entries[index].latency + 1
-                      : seat.acted + 1;
-}
-
 std::vector<joined_t> Clock::JoinWaiting() {
   std::vector<joined_t> joined;
   for (size_t i = 1; i < seats_.size(); ++i) {
@@ -110,7 +100,7 @@ std::vector<joined_t> Clock::JoinWaiting() {
     joined_t& entry = joined.emplace_back();
     entry.name = roster_.entries[i].name;
     entry.nonce = *seat.successor;
-    entry.death_tick = DeathTickOf(i);
+    entry.death_tick = seat.life >= 0 ? seat.acted + 1 : -1;
     const int32_t life = seat.life + 1;
     seat = Seat{};
     seat.life = life;
@@ -151,13 +141,11 @@ const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
   return recent_.emplace_back(std::move(tick));
 }
 
-// The ACK that ends a slow activation does not prove that the TICKs meanwhile
-// have been heard.
 void Clock::ForgetTicks() {
   int32_t oldest = tick_;
   for (size_t i = 1; i < seats_.size(); ++i) {
     if (seats_[i].life < 0) continue;
-    oldest = std::min(oldest, seats_[i].acted - roster_.entries[i].latency + 2);
+    oldest = std::min(oldest, seats_[i].acted + 1);
   }
   std::erase_if(recent_, [oldest](const tick_t& old) {
     return old.header.tick < oldest;

@@ -66,7 +66,6 @@ class Clock {
 
   bool IsAwaited(const Seat& seat) const;
   void ForgetTicks();
-  int32_t DeathTickOf(size_t index) const;
   std::vector<joined_t> JoinWaiting();
 
   Roster roster_;

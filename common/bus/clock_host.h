@@ -36,7 +36,7 @@ class ClockHost {
 
   /// Everything the clock publishes in `tick`: commands first, then what the
   /// service does with `inputs` (messages of the tick before) and with them.
-  /// Commands too short for a header or on other channels are refused.
+  /// Commands too short for a header, or that nobody takes, are refused.
   std::vector<Message> Tick(int32_t tick, std::vector<Message> inputs,
                             std::vector<Command> commands);
 
@@ -50,6 +50,7 @@ class ClockHost {
   Stepper stepper_;
   std::unique_ptr<Service> service_;
   std::map<std::string, int32_t> next_seq_;
+  std::vector<Command> waiting_;  // for the world to begin
   int64_t num_refused_ = 0;
 };
 

@@ -14,7 +14,7 @@ constexpr uint32_t kSync = 0xEDA1DA01;
 constexpr std::array<uint8_t, 4> kSyncBytes = {0xED, 0xA1, 0xDA, 0x01};
 constexpr size_t kHeaderSize = 28;
 constexpr uint32_t kMaxChannel = 64;  // LCM's own limit is 63
-constexpr uint32_t kMaxData = 256u << 20;
+constexpr uint32_t kMaxData = 16u << 20;
 
 std::string Error(const std::filesystem::path& path, const char* what) {
   return path.string() + ": " + what + ": " + std::strerror(errno);

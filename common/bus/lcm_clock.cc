@@ -23,8 +23,10 @@ using namespace std::chrono_literals;
 
 constexpr auto kRepeatPeriod = 200ms;
 constexpr auto kWarnPeriod = 5s;
+constexpr auto kStopGrace = 2s;
 constexpr auto kLossTimeout = 5s;
 constexpr size_t kMaxWaitingCommands = 100;
+constexpr size_t kMaxComplaints = 100;
 
 int64_t RandomRun() {
   std::random_device device;
@@ -46,7 +48,7 @@ class LcmClock {
                     [this](const std::string& channel, Bytes bytes) {
                       OnData(channel, std::move(bytes));
                     });
-    control_.Subscribe("HELLO|ACK|COMMAND_.*",
+    control_.Subscribe("(HELLO|ACK|COMMAND_.*)",
                        [this](const std::string& channel, Bytes bytes) {
                          OnControl(channel, std::move(bytes));
                        });
@@ -106,7 +108,8 @@ class LcmClock {
         ++summary_.num_refused;
       } else if (const auto refusal = clock_.Hello(hello)) {
         ++summary_.num_refused;
-        if (complaints_.insert(*refusal).second) {
+        if (complaints_.size() < kMaxComplaints &&
+            complaints_.insert(*refusal).second) {
           std::cerr << "clock: refuses " << *refusal << std::endl;
         }
       }
@@ -159,7 +162,7 @@ class LcmClock {
   void AwaitAcks() {
     const auto since = steady_clock::now();
     auto last_repeat = since;
-    while (!stop_) {
+    while (!stop_ || steady_clock::now() - since < kStopGrace) {
       const auto names = clock_.Awaited();
       if (names.empty()) return;
       Watch(since, names, "ACK");

@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 constexpr auto kHelloPeriod = 50ms;
 constexpr auto kHealthPeriod = 1s;
 constexpr auto kLossTimeout = 5s;
+constexpr auto kLinger = 300ms;
 
 int64_t RandomNonce() {
   std::random_device device;
@@ -60,15 +61,25 @@ class LcmNode {
       if (has_advanced) last_advance_ = steady_clock::now();
       CheckLoss();
     }
+    if (node_.is_done()) Linger();
   }
 
  private:
+  // The last ACK may get lost: the clock would say its TICK again.
+  void Linger() {
+    const auto until = steady_clock::now() + kLinger;
+    while (steady_clock::now() < until) {
+      WaitForAny({&main_}, 20);
+      main_.Drain();
+    }
+  }
+
   void OnMessage(const std::string& channel, Bytes bytes) {
     if (channel == kTickChannel) {
       tick_t tick{};
       const int size = static_cast<int>(bytes.size());
       if (tick.decode(bytes.data(), 0, size) == size) node_.PutTick(tick);
-    } else if (node_.has_joined() && node_.Wants(channel)) {
+    } else if (node_.Wants(channel)) {
       auto message = MessageFromWire(channel, std::move(bytes));
       if (message) node_.PutData(*message);
     }

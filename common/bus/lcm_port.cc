@@ -84,7 +84,7 @@ void LcmPort::OnMessage(const lcm::ReceiveBuffer* buffer,
                         const std::string& channel,
                         Subscription* subscription) {
   // A channel name without its NUL arrives with a size of 2^32 - 1.
-  constexpr uint32_t kMaxSize = 256u << 20;
+  constexpr uint32_t kMaxSize = 16u << 20;
   if (buffer->data_size > kMaxSize) return;
   const auto* data = static_cast<const uint8_t*>(buffer->data);
   try {

@@ -10,6 +10,12 @@
 #include "common/bus/manifest.h"
 
 namespace cell {
+namespace {
+
+// More than any service's latency.
+constexpr int32_t kMaxAhead = 2000;
+
+}  // namespace
 
 LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
                            int64_t nonce, const ServiceFactory& factory,
@@ -24,6 +30,12 @@ LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
                 .status_phase =
                     static_cast<int32_t>(index_) % Stepper::kStatusPeriod}),
       service_(factory(stepper_)) {}
+
+void LockstepNode::PutData(Message message) {
+  // Whoever stamps a message so far ahead is not of this cell.
+  if (has_joined() && message.tick >= next_tick_ + kMaxAhead) return;
+  inbox_.Put(std::move(message));
+}
 
 hello_t LockstepNode::Hello() const {
   hello_t hello{};
@@ -55,9 +67,11 @@ void LockstepNode::PutTick(const tick_t& tick) {
           "run each service once, each cell on its own port (--url)");
     }
   }
-  if (!has_joined()) return;
+  if (!has_joined()) return inbox_.Purge(tick.header.tick);
   if (tick.header.tick >= next_tick_) {
-    ticks_.try_emplace(tick.header.tick, tick);
+    if (tick.header.tick < next_tick_ + kMaxAhead) {
+      ticks_.try_emplace(tick.header.tick, tick);
+    }
   } else {
     ++num_repeats_;
     if (last_ack_) link_.send_ack(*last_ack_);
@@ -92,7 +106,9 @@ void LockstepNode::Handle(const tick_t& tick, std::vector<Message> inputs) {
   ack_t ack = NewAck(tick.header.tick);
   switch (stepper_.Accept(tick.header.tick, std::move(inputs))) {
     case Stepper::State::kWaiting:
-      return;  // the ACK of the activation's end answers for this tick
+      // The ACK of the activation's end answers for the ticks before it.
+      if (tick.header.tick == stepper_.until()) FinishActivation();
+      return;
     case Stepper::State::kIdle:
       return SendAck(std::move(ack));
     case Stepper::State::kReady:
@@ -104,11 +120,17 @@ void LockstepNode::Handle(const tick_t& tick, std::vector<Message> inputs) {
     ack.until = until;
     SendAck(ack);
   }
-  const std::vector<Message> outputs = stepper_.Run();
-  for (const Message& message : outputs) link_.send_data(message);
-  ack_t done = NewAck(until);
-  done.flows = FlowsOf(outputs);
+  outputs_ = stepper_.Run();
+  if (until == tick.header.tick) FinishActivation();
+}
+
+// Not before its last tick: who joins meanwhile must get the outputs, too.
+void LockstepNode::FinishActivation() {
+  for (const Message& message : outputs_) link_.send_data(message);
+  ack_t done = NewAck(stepper_.until());
+  done.flows = FlowsOf(outputs_);
   done.num_flows = static_cast<int32_t>(done.flows.size());
+  outputs_.clear();
   SendAck(std::move(done));
 }
 

@@ -38,7 +38,7 @@ class LockstepNode {
   }
   std::string WantedPattern() const { return stepper_.WantedPattern(); }
 
-  void PutData(Message message) { inbox_.Put(std::move(message)); }
+  void PutData(Message message);
 
   /// @throws BusError if another cell or another life of this name is heard.
   void PutTick(const tick_t& tick);
@@ -62,6 +62,7 @@ class LockstepNode {
   void SendAck(ack_t ack);
   std::vector<MessageId> NeededBy(const tick_t& tick) const;
   void Handle(const tick_t& tick, std::vector<Message> inputs);
+  void FinishActivation();
 
   std::string name_;
   size_t index_;
@@ -72,6 +73,7 @@ class LockstepNode {
 
   Inbox inbox_;
   std::map<int32_t, tick_t> ticks_;  // not handled yet
+  std::vector<Message> outputs_;     // of an activation that lasts
   std::optional<ack_t> last_ack_;
   int64_t run_ = 0;
   int32_t sender_ = 0;

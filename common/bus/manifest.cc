@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "common/bus/bus.h"
@@ -60,10 +61,18 @@ Message TickMessage(const tick_t& tick) {
 }
 
 bool IsSound(const std::vector<flow_t>& flows) {
-  return std::all_of(flows.begin(), flows.end(), [](const flow_t& flow) {
-    return flow.count > 0 && flow.first_seq >= 0 && flow.sender >= 0 &&
-           flow.first_seq <= INT32_MAX - flow.count && !flow.channel.empty();
-  });
+  const auto is_before = [](const flow_t& a, const flow_t& b) {
+    return std::tie(a.channel, a.sender) < std::tie(b.channel, b.sender);
+  };
+  for (size_t i = 0; i < flows.size(); ++i) {
+    const flow_t& flow = flows[i];
+    if (flow.count <= 0 || flow.first_seq < 0 || flow.sender < 0 ||
+        flow.first_seq > INT32_MAX - flow.count || flow.channel.empty() ||
+        (i > 0 && !is_before(flows[i - 1], flow))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace cell

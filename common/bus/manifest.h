@@ -34,8 +34,8 @@ tick_t Canonical(tick_t tick);
 /// The canonical TICK as a message.
 Message TickMessage(const tick_t& tick);
 
-/// True if counts and lengths inside fit together; a decoded TICK or ACK may
-/// still be forged.
+/// True if counts fit and the flows ascend by (channel, sender); a decoded TICK
+/// or ACK may still be forged.
 bool IsSound(const std::vector<flow_t>& flows);
 
 }  // namespace cell

@@ -78,6 +78,9 @@ class Comparison {
 
   const ReplayResult& result() const { return result_; }
 
+  /// What is behind a gap in the log cannot be recomputed.
+  void EndAtGap(int32_t last_tick) { result_.gap_after = last_tick; }
+
  private:
   const RunLog& log_;
   std::map<int32_t, std::vector<Message>> computed_;
@@ -108,6 +111,10 @@ ReplayResult ReplayClock(const RunLog& log, const Roster& roster,
   ClockHost host(roster, factory);
   Comparison comparison(log);
   for (const auto& [k, tick] : log.ticks()) {
+    if (k > 0 && !log.ticks().contains(k - 1)) {
+      comparison.EndAtGap(k - 1);
+      break;
+    }
     std::vector<Message> inputs;
     std::vector<Command> commands;
     for (const Message& message : InputsOf(log, tick)) {
@@ -146,7 +153,10 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
     const std::unique_ptr<Service> object = factory(stepper);
     for (int32_t k = life.join_tick; k < life.end_tick; ++k) {
       const auto it = log.ticks().find(k);
-      if (it == log.ticks().end()) break;
+      if (it == log.ticks().end()) {
+        comparison.EndAtGap(k - 1);
+        return comparison.result();
+      }
       std::vector<Message> inputs;
       if (k > life.join_tick) inputs = InputsOf(log, it->second);
       std::erase_if(inputs, [&](const Message& message) {

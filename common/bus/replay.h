@@ -16,6 +16,8 @@ struct ReplayResult {
   int64_t num_messages = 0;  ///< recomputed and found equal
   /// First thing that differs, with tick and channel; nothing if all is equal.
   std::optional<std::string> difference;
+  /// Last tick before a gap in the log, where the comparison had to end.
+  std::optional<int32_t> gap_after;
 };
 
 /// Feeds a service (the clock's too) the inputs that a log recorded, restarts

@@ -13,6 +13,9 @@ Roster Roster::FromConfig(const Config& config) {
     if (roster.IndexOf(entry.name)) {
       item.Fail("'" + entry.name + "' is listed twice");
     }
+    if (roster.entries.empty() && entry.latency != 1) {
+      item.Fail("the clock comes first and answers within its tick: latency 1");
+    }
     roster.entries.push_back(std::move(entry));
   }
   if (roster.entries.empty()) config["services"].Fail("names no service");

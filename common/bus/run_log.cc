@@ -93,12 +93,11 @@ void RunLog::Check() {
       problems_.push_back(fmt::format(
           "tick {}: TICK is not the one that TICK {} refers to", k - 1, k));
     }
-    // Flows name the services' messages of the tick before, and the clock's.
+    // Flows name the services' messages of the tick before, and the clock's;
+    // a recorder that joins after a gap has heard neither.
     for (const MessageId& id : MessagesIn(tick.manifest.flows)) {
-      const Tick* of = id.sender == 0 ? &tick
-                       : has_previous ? previous
-                                      : nullptr;
-      if (of == nullptr) continue;
+      if (!has_previous && (k > 0 || id.sender != 0)) break;
+      const Tick* of = id.sender == 0 ? &tick : previous;
       const auto match = std::find_if(
           of->messages.begin(), of->messages.end(), [&](const Message& m) {
             return m.channel == id.channel && m.sender == id.sender &&

@@ -41,7 +41,7 @@ SimBus::SimBus(const Roster& roster,
       seats_(roster_.entries.size()) {
   for (const Outage& outage : outages_) {
     if (roster_.IndexOf(outage.service).value_or(0) == 0 ||
-        outage.join_tick < outage.death_tick || outage.death_tick < 1) {
+        outage.join_tick < outage.death_tick || outage.death_tick < 0) {
       throw std::invalid_argument("impossible outage of '" + outage.service +
                                   "' at tick " +
                                   std::to_string(outage.death_tick));
@@ -64,6 +64,9 @@ bool SimBus::Step() {
   std::vector<Message> messages =
       host_.Tick(tick, std::move(inputs), CommandsOf(tick));
   last_tick_ = clock_.Advance(messages, host_.IsLast(tick));
+  for (size_t i = 1; i < seats_.size(); ++i) {
+    if (seats_[i].is_silent) clock_.Mourn(i);
+  }
   messages.insert(messages.end(), std::make_move_iterator(published_.begin()),
                   std::make_move_iterator(published_.end()));
   published_.clear();
@@ -81,7 +84,6 @@ void SimBus::BeginOutagesAndLives(int32_t tick) {
     if (tick == outage.death_tick) {
       seats_[index].is_silent = true;
       seats_[index].pending.clear();
-      clock_.Mourn(index);
     }
     if (tick == outage.join_tick) NewLife(index, tick);
   }

@@ -21,7 +21,7 @@ Stepper::Stepper(Params params) : params_(std::move(params)) {
 
 void Stepper::SubscribeBytes(const std::string& channel, size_t depth,
                              BytesHandler handler) {
-  if (IsTruth(channel) && !MayReadTruth(params_.truth_role)) {
+  if (IsTruth(channel) && !MayReadTruth(params_.name, params_.truth_role)) {
     throw std::logic_error(params_.name + " may not read " + channel +
                            ": ground truth (common/bus/truth_access.cc)");
   }
@@ -33,7 +33,7 @@ void Stepper::SubscribeBytes(const std::string& channel, size_t depth,
 }
 
 void Stepper::SubscribeAll(AnyHandler handler) {
-  if (!MayReadTruth(params_.truth_role)) {
+  if (!MayReadTruth(params_.name, params_.truth_role)) {
     throw std::logic_error(params_.name +
                            " may not read every channel: ground truth is "
                            "among them (common/bus/truth_access.cc)");
@@ -74,9 +74,9 @@ bool Stepper::Wants(const std::string& channel) const {
 
 std::string Stepper::WantedPattern() const {
   if (any_handler_) return ".*";
-  std::string pattern = kTickChannel;
+  std::string pattern = std::string("(") + kTickChannel;
   for (const auto& entry : subscriptions_) pattern += "|" + entry.first;
-  return pattern;
+  return pattern + ")";
 }
 
 Stepper::State Stepper::Accept(int32_t tick, std::vector<Message> inputs) {

@@ -7,11 +7,14 @@
 namespace cell {
 namespace {
 
-constexpr std::array<std::string_view, 3> kReaders = {
-    "recorder",       // keeps every channel
-    "tracker_ideal",  // --sensing ideal: the tracker's stand-in
-    "viewer",         // renders runs and logs
+struct Reader {
+  std::string_view service;
+  std::string_view role;
 };
+constexpr std::array<Reader, 2> kReaders = {{
+    {"recorder", "recorder"},     // keeps every channel
+    {"tracker", "tracker_ideal"}  // --sensing ideal: stands in for perception
+}};
 
 }  // namespace
 
@@ -19,8 +22,10 @@ bool IsTruth(const std::string& channel) {
   return channel.starts_with("TRUTH_");
 }
 
-bool MayReadTruth(const std::string& service) {
-  return std::find(kReaders.begin(), kReaders.end(), service) != kReaders.end();
+bool MayReadTruth(const std::string& service, const std::string& role) {
+  return std::any_of(kReaders.begin(), kReaders.end(), [&](const Reader& r) {
+    return r.service == service && r.role == role;
+  });
 }
 
 }  // namespace cell

@@ -8,7 +8,8 @@ namespace cell {
 bool IsTruth(const std::string& channel);
 
 /// The one list of who may read ground truth: the tracker while it stands in
-/// for perfect sensing, the recorder and viewers. Nobody who estimates.
-bool MayReadTruth(const std::string& service);
+/// for perfect sensing, and the recorder. Nobody who estimates.
+/// @param role  what the service is at present, as in the roster
+bool MayReadTruth(const std::string& service, const std::string& role);
 
 }  // namespace cell

@@ -84,6 +84,9 @@ std::vector<double> Config::Numbers(const std::string& key, size_t size) const {
   if (numbers.size() != size) {
     config.Fail(fmt::format("needs {} numbers, has {}", size, numbers.size()));
   }
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) config.Fail("has a number that is not finite");
+  }
   return numbers;
 }
 
@@ -119,10 +122,13 @@ void Config::FinishNode(const YAML::Node& node, const std::string& path) const {
       const auto key = entry.first.as<std::string>();
       FinishNode(entry.second, path.empty() ? key : path + "." + key);
     }
-  } else if (node.IsSequence() && node.size() > 0 && !node[0].IsScalar() &&
-             shared_->used.contains(path + "[0]")) {
+  } else if (node.IsSequence()) {
+    // A list of numbers, or of such lists, is read as a whole.
     for (size_t i = 0; i < node.size(); ++i) {
-      FinishNode(node[i], fmt::format("{}[{}]", path, i));
+      const std::string item = fmt::format("{}[{}]", path, i);
+      if (node[i].IsMap() || shared_->used.contains(item)) {
+        FinishNode(node[i], item);
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -39,8 +40,14 @@ class Config {
   template <class T>
   T As() const {
     MarkUsed();
+    // yaml-cpp reads an empty value as the text "null".
+    if (node_.IsNull()) Fail("is empty, should be " + TypeName<T>());
     try {
-      return node_.as<T>();
+      const T value = node_.as<T>();
+      if constexpr (std::is_floating_point_v<T>) {
+        if (!std::isfinite(value)) Fail("is not a finite number" + Shown());
+      }
+      return value;
     } catch (const YAML::Exception&) {
       Fail("cannot be read as " + TypeName<T>() + Shown());
     }

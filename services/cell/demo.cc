@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "common/bus/lcm_port.h"
 #include "common/bus/private_network.h"
@@ -88,7 +89,16 @@ class Demo {
       if (ticks) ticks->Drain();
       report_.Follow();
       PassOnOutputs();
-      for (const auto& death : processes_.TakeDeaths()) OnDeath(death);
+      for (const auto& death : processes_.TakeDeaths()) {
+        // After the last tick all end, the clock among the last.
+        death.is_clean&& death.name != clock() ? ended_.push_back(death)
+                                               : OnDeath(death);
+      }
+      // A service that has ended although the clock goes on was stopped.
+      num_looks_since_end_ = ended_.empty() ? 0 : num_looks_since_end_ + 1;
+      if (num_looks_since_end_ * kLookMs > kGraceMs) {
+        for (const auto& death : std::exchange(ended_, {})) OnDeath(death);
+      }
       resident_bytes_ = std::max(resident_bytes_, processes_.ResidentBytes());
     }
     AwaitOthers();
@@ -136,9 +146,9 @@ class Demo {
   }
 
   void OnDeath(const ProcessGroup::Death& death) {
-    if (death.is_clean) return;  // after the last tick
     const std::string where = " (see " + LogOf(death.name).string() + ")";
     if (death.name == clock()) {
+      if (death.is_clean) return;
       is_failed_ = true;
       report_.Say(death.name + ": " + death.cause + ", the run ends" + where);
       return;
@@ -178,6 +188,8 @@ class Demo {
   OutputFollower outputs_;
   std::vector<PlannedKill> kills_;
   std::map<std::string, int> num_restarts_;
+  std::vector<ProcessGroup::Death> ended_;
+  int num_looks_since_end_ = 0;
   int64_t resident_bytes_ = 0;
   bool is_failed_ = false;
 };

@@ -54,9 +54,9 @@ int RunDiff(const std::string& first, const std::string& second) {
       return 1;
     }
   }
-  if (b.ticks().size() > a.ticks().size()) {
-    std::cout << fmt::format("the first run ends with tick {}\n",
-                             a.ticks().rbegin()->first);
+  for (const auto& [tick, in_b] : b.ticks()) {
+    if (a.ticks().contains(tick)) continue;
+    std::cout << fmt::format("the first run has no tick {}\n", tick);
     return 1;
   }
   std::cout << fmt::format("{} ticks, all the same\n", a.ticks().size());

@@ -68,7 +68,8 @@ void AddEpisode(CLI::App& app, Action* action) {
   auto options = std::make_shared<EpisodeOptions>();
   CLI::App* command = app.add_subcommand(
       "episode",
-      "Begin or end an episode of a running cell.\n"
+      "Begin or end an episode of a cell that runs on this network (a `cell "
+      "demo` has one of its own).\n"
       "Example: cell episode start --demonstration assembly --seed 3");
   command->add_option("action", options->action, "start or end")
       ->required()

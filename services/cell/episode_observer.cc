@@ -36,7 +36,9 @@ void EpisodeObserver::Put(const Message& message) {
     }
   } else if (message.channel == "EPISODE") {
     const auto episode = Decode<episode_t>(message);
-    if (episode) record_.has_ended = episode->phase == episode_t::END;
+    if (!episode) return;
+    if (episode->phase == episode_t::START) record_ = EpisodeRecord{};
+    record_.has_ended = episode->phase == episode_t::END;
   }
 }
 

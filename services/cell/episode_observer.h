@@ -17,7 +17,7 @@
 
 namespace cell {
 
-/// What a run came to, for scorers and summaries: collected from all its
+/// What the last episode of a run came to, for scorers and summaries: collected from all its
 /// messages. Reads ground truth, so no service may use it.
 struct EpisodeRecord {
   std::vector<action_t> actions;

@@ -54,7 +54,8 @@ std::vector<std::optional<size_t>> Match(const EpisodeRecord& record) {
   return matches;
 }
 
-// Alerts about the plan that answer this action: those stamped with it.
+// Alerts about the plan that answer this action: from the action until one key
+// frame after the one that showed it.
 std::vector<const alert_t*> AlertsOf(const EpisodeRecord& record,
                                      const action_t& action) {
   std::vector<const alert_t*> alerts;

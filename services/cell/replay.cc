@@ -49,8 +49,12 @@ int CheckServices(const RunFolder& run, const RunLog& log,
       std::cout << "DIFFERENT: " << *result.difference << std::endl;
     } else {
       std::cout << fmt::format("{} messages, byte-identical",
-                               result.num_messages)
-                << std::endl;
+                               result.num_messages);
+      if (result.gap_after) {
+        std::cout << fmt::format(" up to the gap after tick {}",
+                                 *result.gap_after);
+      }
+      std::cout << std::endl;
     }
   }
   return num_different == 0 ? 0 : 1;
@@ -79,10 +83,12 @@ void AddReplay(CLI::App& app, Action* action) {
       "Tell a recorded run again, or recompute every service's outputs from "
       "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
   command->add_option("run", options->run, "run folder")->required();
-  command->add_flag("--check", options->is_check,
-                    "recompute and compare byte for byte");
-  command->add_option("--service", options->services,
-                      "only this one (may be repeated)");
+  CLI::Option* check = command->add_flag(
+      "--check", options->is_check, "recompute and compare byte for byte");
+  command
+      ->add_option("--service", options->services,
+                   "only this one (may be repeated)")
+      ->needs(check);
   command->callback([=] {
     *action = [=] {
       return RunReplay(*options);

@@ -16,14 +16,17 @@ RowStore::RowStore(std::filesystem::path path, bool is_resumed)
     std::string line;
     while (std::getline(file, line)) {
       const auto row = nlohmann::json::parse(line, nullptr, false);
-      if (row.is_object() && row.contains("key")) rows_[row["key"]] = row;
+      if (row.is_object() && row.contains("key") && row["key"].is_string())
+        rows_[row["key"]] = row;
     }
   }
-  std::ofstream file(path_, std::ios::trunc);
+  const std::filesystem::path fresh = path_.string() + ".new";
+  std::ofstream file(fresh, std::ios::trunc);
   for (const auto& [key, row] : rows_) file << row.dump() << "\n";
   if (!file.flush()) {
-    throw std::runtime_error(path_.string() + ": cannot be written");
+    throw std::runtime_error(fresh.string() + ": cannot be written");
   }
+  std::filesystem::rename(fresh, path_);
 }
 
 void RowStore::Append(const std::string& key, const nlohmann::json& row) {

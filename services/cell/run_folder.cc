@@ -53,8 +53,8 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
   run.roster = Roster::FromConfig(
       Config::Load(run.deployment.config_dir / "roster.yaml"));
   std::ofstream file(run.path / "run.yaml");
-  file << "task: " << task << "\ndemonstration: " << demonstration
-       << "\nseed: " << seed << "\n";
+  file << "task: " << task << "\ndemonstration: \"" << demonstration
+       << "\"\nseed: " << seed << "\n";
   if (!file.flush()) {
     throw std::runtime_error(run.path.string() + ": cannot be written");
   }

@@ -1,5 +1,6 @@
 #include "services/cell/watch_evaluation.h"
 
+#include <algorithm>
 #include <array>
 
 #include "common/bus/sim_bus.h"
@@ -50,7 +51,7 @@ class WatchEvaluation final : public Evaluation {
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
     for (const Group& group : kGroups) {
-      const int num = static_cast<int>(runs * group.share + 0.5);
+      const int num = std::max(1, static_cast<int>(runs * group.share + 0.5));
       for (int i = 0; i < num; ++i) {
         trials.push_back({group.name, seed + static_cast<uint64_t>(i)});
       }
@@ -85,9 +86,9 @@ class WatchEvaluation final : public Evaluation {
               "steps_recognised", "steps"),
         Runs(rows, "valid", "runs all recognised, none invented, no alarm",
              [](const json& row) {
-               return row["steps_recognised"] == row["steps"] &&
-                      row["invented"] == 0 && row["false_alarms"] == 0 &&
-                      row["goal_reached"] == true;
+               return row.at("steps_recognised") == row.at("steps") &&
+                      row.at("invented") == 0 && row.at("false_alarms") == 0 &&
+                      row.at("goal_reached") == true;
              }),
         Share(rows, "taken_back", "take-backs named as the reverse",
               "take_backs_named", "take_backs"),
@@ -98,14 +99,14 @@ class WatchEvaluation final : public Evaluation {
         Runs(rows, "taken_back",
              "runs all named, none invented, no false alarm",
              [](const json& row) {
-               return row["steps_recognised"] == row["steps"] &&
-                      row["invented"] == 0 && row["false_alarms"] == 0;
+               return row.at("steps_recognised") == row.at("steps") &&
+                      row.at("invented") == 0 && row.at("false_alarms") == 0;
              }),
         Share(rows, "mistake", "planted mistakes caught within one key frame",
               "mistakes_caught", "mistakes"),
         Runs(rows, "mistake", "runs with a planted mistake and no false alarm",
              [](const json& row) {
-               return row["mistakes"] > 0 && row["false_alarms"] == 0;
+               return row.at("mistakes") > 0 && row.at("false_alarms") == 0;
              }),
     };
   }
@@ -115,9 +116,9 @@ class WatchEvaluation final : public Evaluation {
                        const char* what, const char* good, const char* all) {
     Measure measure{.name = std::string(group) + ": " + what};
     for (const json& row : rows) {
-      if (row["group"] != group) continue;
-      measure.num_good += row[good].get<int>();
-      measure.num_all += row[all].get<int>();
+      if (row.at("group") != group) continue;
+      measure.num_good += row.at(good).get<int>();
+      measure.num_all += row.at(all).get<int>();
     }
     return measure;
   }
@@ -127,7 +128,7 @@ class WatchEvaluation final : public Evaluation {
                       const char* what, Predicate is_good) {
     Measure measure{.name = std::string(group) + ": " + what};
     for (const json& row : rows) {
-      if (row["group"] != group) continue;
+      if (row.at("group") != group) continue;
       measure.num_good += is_good(row);
       ++measure.num_all;
     }

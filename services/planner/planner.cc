@@ -57,6 +57,7 @@ bool Planner::OnEpisode(const episode_t& message) {
     return false;
   }
   monitor_.reset();
+  start_utime_ = message.phase == episode_t::START ? message.header.utime : 0;
   const Goal* goal = params_.domain.FindGoal(message.goal);
   if (goal != nullptr) {
     monitor_.emplace(PlanSearch(params_.domain, *goal, params_.search),
@@ -76,12 +77,14 @@ bool Planner::OnEpisode(const episode_t& message) {
 }
 
 bool Planner::OnPredicates(const predicates_t& message) {
+  if (message.header.utime < start_utime_) return true;  // of the one before
   const auto sensed = FromMessage(message, params_.domain);
   if (sensed && monitor_) Publish(monitor_->Take(*sensed));
   return sensed.has_value();
 }
 
 bool Planner::OnAction(const action_t& message) {
+  if (message.header.utime < start_utime_) return true;  // of the one before
   const auto action = FromMessage(message, params_.domain);
   if (action && monitor_) Publish(monitor_->Take(*action));
   return action.has_value();

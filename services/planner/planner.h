@@ -35,6 +35,7 @@ class Planner final : public Service {
   Bus& bus_;
   Params params_;
   std::optional<Monitor> monitor_;  // of the episode
+  int64_t start_utime_ = 0;         // of the episode
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

@@ -37,12 +37,12 @@ void Recorder::OnTick(const Message& message) {
   const bool is_joining = is_first_tick_;
   is_first_tick_ = false;
   if (is_joining && k > 0) {
-    // What was published in the tick of joining did not reach us.
+    // What the clock published in the tick of joining did not reach us.
     const auto self =
         std::find_if(tick.joined.begin(), tick.joined.end(),
                      [](const joined_t& j) { return j.name == "recorder"; });
     const bool is_reborn = self != tick.joined.end() && self->death_tick >= 0;
-    return ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
+    ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
   }
   order_.Put(message);
   // The clock's messages of the last tick have come; others' do not count.

@@ -64,7 +64,7 @@ bool Vtb::OnCommand(const command_episode_t& message) {
   switch (message.action) {
     case command_episode_t::END:
       next_.reset();
-      if (is_running_) End();
+      is_running_ ? End() : bus_.EndRunIn(kGapTicks);
       return true;
     case command_episode_t::START: {
       if (!book_->scripts.contains(message.demonstration)) return false;

@@ -16,8 +16,11 @@
 #include "cell/command_episode_t.hpp"
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
+#include "cell/status_t.hpp"
 #include "cell/tick_t.hpp"
+#include "cell/truth_contacts_t.hpp"
 #include "cell/types_digest.h"
+#include "common/bus/bus_error.h"
 #include "common/bus/clock.h"
 #include "common/bus/lockstep_node.h"
 #include "common/bus/process_usage.h"
@@ -215,6 +218,8 @@ TEST_P(ForgedMessages, KillNobodyAndAreCounted) {
     if (const auto message = MessageFromWire(channel, forged)) {
       Narrator().Tell(*message);
       EpisodeObserver().Put(*message);
+      Decode<truth_contacts_t>(*message);
+      Decode<status_t>(*message);
     }
   }
   EXPECT_LT(UsageOfThisProcess().resident_bytes - before, kMaxGrowth);
@@ -229,37 +234,73 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param); });
 
 // The protocol's own messages, through both ends of it.
-TEST(ForgedMessages, OfTheProtocolMoveNeitherClockNorNode) {
-  const Roster roster = TheRoster();
-  Clock clock(roster, 1);
+class ForgedProtocol {
+ public:
+  ForgedProtocol() : clock_(TheRoster(), 1) {
+    for (const auto& entry : TheRoster().entries) {
+      hello_t hello{};
+      hello.name = entry.name;
+      hello.nonce = 1;
+      hello.types_digest = kTypesDigest;
+      clock_.Hello(hello);
+    }
+    join_ = clock_.Advance({}, false);
+    JoinNode();
+  }
+
+  void Feed(const Message& message) {
+    if (const auto hello = Decode<hello_t>(message)) clock_.Hello(*hello);
+    if (const auto ack = Decode<ack_t>(message)) {
+      num_heeded_ += clock_.Ack(*ack);
+    }
+    Decode<health_t>(message);
+    const auto tick = Decode<tick_t>(message);
+    if (!tick) return;
+    try {
+      node_->PutTick(*tick);
+      node_->Advance();
+    } catch (const BusError&) {
+      JoinNode();  // a second cell or life was heard; a real one would exit
+    }
+    if (node_->is_done()) JoinNode();
+  }
+
+  int num_heeded() const { return num_heeded_; }
+
+ private:
+  void JoinNode() {
+    node_ = std::make_unique<LockstepNode>(
+        TheRoster(), "recorder", 1,
+        [](Bus&) { return std::make_unique<Service>(); },
+        LockstepNode::Link{.send_data = [](const Message&) {},
+                           .send_ack =
+                               [](const ack_t&) {
+                               }});
+    node_->PutTick(join_);
+    node_->Advance();
+  }
+
+  Clock clock_;
+  tick_t join_{};
+  std::unique_ptr<LockstepNode> node_;
+  int num_heeded_ = 0;
+};
+
+TEST(ForgedMessages, OfTheProtocolKillNeitherClockNorNode) {
+  ForgedProtocol protocol;
   Forger forger(20260102);
   const int64_t before = UsageOfThisProcess().resident_bytes;
-  int num_heeded = 0;
   for (const char* channel : {"HELLO", "ACK", "TICK", "HEALTH"}) {
     const std::vector<Bytes>& samples = Corpus().at(channel);
     for (int i = 0; i < kNumForgeries; ++i) {
       const Bytes forged =
           forger.Forge(samples[static_cast<size_t>(i) % samples.size()]);
-      const auto message = MessageFromWire(channel, forged);
-      if (!message) continue;
-      if (const auto hello = Decode<hello_t>(*message)) clock.Hello(*hello);
-      if (const auto ack = Decode<ack_t>(*message)) {
-        num_heeded += clock.Ack(*ack);
+      if (const auto message = MessageFromWire(channel, forged)) {
+        protocol.Feed(*message);
       }
-      if (const auto tick = Decode<tick_t>(*message)) {
-        LockstepNode node(roster, "recorder", 1,
-                          [](Bus&) { return std::make_unique<Service>(); },
-                          {.send_data = [](const Message&) {},
-                           .send_ack =
-                               [](const ack_t&) {
-                               }});
-        node.PutTick(*tick);
-        node.Advance();
-      }
-      Decode<health_t>(*message);
     }
   }
-  EXPECT_EQ(num_heeded, 0) << "nobody has joined";
+  EXPECT_LT(protocol.num_heeded(), kNumForgeries / 10);
   EXPECT_LT(UsageOfThisProcess().resident_bytes - before, kMaxGrowth);
 }
 

@@ -57,11 +57,10 @@ TEST_F(CellCommand,
   const std::string idle = Hash("demo --seed 7 --out a").output;
   // Two busy loops beside it, which end by themselves.
   const std::string busy =
-      Shell(
-          "for i in 1 2; do timeout 60 sh -c 'while :; do :; done' & done; "
-          "cd " +
-          dir_.string() + " && " + kCell +
-          " demo --seed 7 --hash --out b 2>/dev/null; kill $(jobs -p)")
+      Shell("cd " + dir_.string() +
+            "; for i in 1 2; do timeout 90 sh -c 'while :; do :; done' "
+            "> /dev/null 2>&1 & pids=\"$pids $!\"; done; " +
+            kCell + " demo --seed 7 --hash --out b 2> /dev/null; kill $pids")
           .output;
   const std::string sim = Hash("sim --seed 7 --out c").output;
   EXPECT_EQ(idle, sim);

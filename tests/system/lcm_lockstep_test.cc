@@ -84,7 +84,10 @@ class Cell {
     });
   }
   bool is_clock_done() const { return is_clock_done_; }
-  std::string failure() const { return failure_; }
+  std::string failure() {
+    const std::lock_guard lock(mutex_);
+    return failure_;
+  }
 
  private:
   template <class F>

@@ -75,6 +75,7 @@ class PlannerService : public testing::Test {
     action_t action{};
     action.header.utime = place * 1000;
     action.index = index;
+    action.header.seq = static_cast<int32_t>(index);
     action.kind = kind;
     action.name = "PlaceRoundPeg";
     action.arguments = {"shaft", "base.shaft"};
