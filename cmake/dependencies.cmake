@@ -16,13 +16,20 @@ foreach(name xxhash lodepng)
     INTERFACE_INCLUDE_DIRECTORIES ${${name}_INCLUDE_DIR})
 endforeach()
 
+# libmujoco-dev's own package wants OpenGL's headers and names a missing folder.
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h REQUIRED)
+find_library(MUJOCO_LIBRARY mujoco REQUIRED)
+add_library(mujoco::mujoco UNKNOWN IMPORTED)
+set_target_properties(mujoco::mujoco PROPERTIES
+  IMPORTED_LOCATION ${MUJOCO_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${MUJOCO_INCLUDE_DIR})
+
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(mujoco 2.2 REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(fcl REQUIRED)
 find_package(GTest REQUIRED)

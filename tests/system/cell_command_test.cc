@@ -37,8 +37,8 @@ class CellCommand : public testing::Test {
   /// Lines of digests alone; what else was said goes to stderr.
   ShellResult Hash(const std::string& arguments) const {
     const std::string log = (dir_ / "stderr").string();
-    ShellResult result = Shell("cd " + dir_.string() + " && " + kCell + " " +
-                               arguments + " --hash 2>" + log);
+    ShellResult result = Shell("(cd " + dir_.string() + " && " + kCell + " " +
+                               arguments + " --hash 2>" + log + ")");
     EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
     return result;
   }
