@@ -51,7 +51,8 @@ class WatchEvaluation final : public Evaluation {
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
     for (const Group& group : kGroups) {
-      const int num = std::max(1, static_cast<int>(runs * group.share + 0.5));
+      const int num = std::max(static_cast<int>(group.scripts.size()),
+                               static_cast<int>(runs * group.share + 0.5));
       for (int i = 0; i < num; ++i) {
         trials.push_back({group.name, seed + static_cast<uint64_t>(i)});
       }

@@ -118,6 +118,7 @@ TEST_F(LcmLockstep, GivesTheSameBytesAsOneProcessInAnyStartOrder) {
     Cell cell(address);
     if (is_clock_first) cell.StartClock();
     cell.StartService("second");
+    cell.StartService("third");
     cell.StartService("first");
     if (!is_clock_first) cell.StartClock();
     while (!cell.is_clock_done()) listener.Listen();
@@ -136,6 +137,7 @@ TEST_F(LcmLockstep, ForgedDatagramsAreNotHeeded) {
   Cell cell(address);
   cell.StartService("first");
   cell.StartService("second");
+  cell.StartService("third");
   cell.StartClock();
   Bytes forged = Bus::Encode(toy::Number(0, 4711));
   int32_t seq = 0;
@@ -161,6 +163,7 @@ TEST_F(LcmLockstep, TwoCellsOnOnePortSayWhatToDo) {
   for (Cell* cell : {&one, &two}) {
     cell->StartService("first");
     cell->StartService("second");
+    cell->StartService("third");
     cell->StartClock();
   }
   Listener listener(address);
@@ -177,7 +180,7 @@ TEST_F(LcmLockstep, AMissingServiceIsNamedWhenTheClockGivesUp) {
                 {.giveup_s = 0.2}, stop);
     FAIL() << "the clock did not give up";
   } catch (const BusError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("HELLO of first, second"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("HELLO of first, second, third"));
   }
 }
 

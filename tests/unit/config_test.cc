@@ -45,6 +45,24 @@ TEST(Config, RefusesKeysThatNobodyReadInsideLists) {
               HasSubstr("toy.yaml:list[1].typo: not known"));
 }
 
+TEST(Config, RefusesEmptyValuesAndNumbersThatAreNotFinite) {
+  const Config config =
+      Config::Parse("empty:\nn: .nan\nlist: [1, .inf]", "toy.yaml");
+  EXPECT_THAT(ErrorOf([&] { config.Get<std::string>("empty"); }),
+              HasSubstr("toy.yaml:empty: is empty, should be text"));
+  EXPECT_THAT(ErrorOf([&] { config.Get<double>("n"); }),
+              HasSubstr("toy.yaml:n: is not a finite number"));
+  EXPECT_THAT(ErrorOf([&] { config.Numbers("list", 2); }),
+              HasSubstr("toy.yaml:list: has a number that is not finite"));
+}
+
+TEST(Config, RefusesKeysThatNobodyReadInMixedLists) {
+  const Config config = Config::Parse("list: [x, {a: 1, typo: 2}]", "toy.yaml");
+  config["list"].Items()[1].Get<int>("a");
+  EXPECT_THAT(ErrorOf([&] { config.Finish(); }),
+              HasSubstr("toy.yaml:list[1].typo: not known"));
+}
+
 TEST(Config, SaysWhatIsNotYamlOrNotThere) {
   EXPECT_THAT(ErrorOf([] { Config::Parse("a: [", "toy.yaml"); }),
               HasSubstr("toy.yaml:"));

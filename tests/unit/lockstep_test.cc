@@ -46,7 +46,7 @@ class Wire {
         factories_(ToyFactories(kNumTicks)),
         host_(roster_, factories_.at("source")),
         clock_(roster_, 77) {
-    for (const char* name : {"first", "second"}) Start(name);
+    for (const char* name : {"first", "second", "third"}) Start(name);
   }
 
   void Start(const std::string& name) {
@@ -166,8 +166,9 @@ TEST(Lockstep, IsNotMovedByLossDoublesDisorderAndForgery) {
 }
 
 TEST(Lockstep, ARestartedServiceEqualsTheSameOutageInOneProcess) {
-  for (const std::string name : {"first", "second"}) {
-    for (const int32_t death : {1, 17, 30}) {
+  for (const std::string name : {"first", "second", "third"}) {
+    // Consecutive ticks, so that a consumer dies in each phase of a slow one.
+    for (const int32_t death : {1, 17, 30, 31, 32, 33}) {
       Wire wire(3, {});
       std::vector<tick_t> joins;
       const auto digests = wire.Run([&](Wire& w, int32_t tick) {

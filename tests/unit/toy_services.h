@@ -61,12 +61,13 @@ class Adder : public Service {
   int64_t sum_ = 0;
 };
 
-/// source -> first -> second (slow) -> source
+/// source -> first -> second (slow) -> source and third
 inline Roster ToyRoster(int32_t slow_latency = 3) {
-  return {
-      .task = "toy",
-      .entries = {
-          {"source", 1, ""}, {"first", 1, ""}, {"second", slow_latency, ""}}};
+  return {.task = "toy",
+          .entries = {{"source", 1, ""},
+                      {"first", 1, ""},
+                      {"second", slow_latency, ""},
+                      {"third", 1, ""}}};
 }
 
 inline std::map<std::string, ServiceFactory> ToyFactories(int32_t num_ticks) {
@@ -78,8 +79,12 @@ inline std::map<std::string, ServiceFactory> ToyFactories(int32_t num_ticks) {
            [](Bus& bus) {
              return std::make_unique<Adder>(bus, "SOURCE", "DOUBLE");
            }},
-          {"second", [](Bus& bus) {
+          {"second",
+           [](Bus& bus) {
              return std::make_unique<Adder>(bus, "DOUBLE", "SUM");
+           }},
+          {"third", [](Bus& bus) {
+             return std::make_unique<Adder>(bus, "SUM", "ECHO");
            }}};
 }
 
