@@ -32,7 +32,6 @@ class Inbox {
 
   /// Datagrams that no manifest named, or for which there was no room.
   int64_t num_strangers() const { return num_strangers_; }
-  size_t num_bytes() const { return num_bytes_; }
 
  private:
   /// Enough for any honest tick; a forger cannot make it grow further.

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <random>
 #include <set>
 #include <thread>
 #include <utility>
@@ -28,11 +27,6 @@ constexpr auto kLossTimeout = 5s;
 constexpr size_t kMaxWaitingCommands = 100;
 constexpr size_t kMaxComplaints = 100;
 
-int64_t RandomRun() {
-  std::random_device device;
-  return static_cast<int64_t>((uint64_t{device()} << 31) ^ device()) | 1;
-}
-
 class LcmClock {
  public:
   LcmClock(const LcmAddress& address, const Roster& roster,
@@ -43,7 +37,7 @@ class LcmClock {
         main_(address.MainUrl()),
         control_(address.ControlUrl()),
         host_(roster, factory),
-        clock_(roster, RandomRun()) {
+        clock_(roster, RandomIdentity()) {
     main_.Subscribe(host_.WantedPattern(),
                     [this](const std::string& channel, Bytes bytes) {
                       OnData(channel, std::move(bytes));

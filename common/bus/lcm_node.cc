@@ -1,7 +1,6 @@
 #include "common/bus/lcm_node.h"
 
 #include <chrono>
-#include <random>
 #include <utility>
 
 #include "cell/health_t.hpp"
@@ -20,11 +19,6 @@ constexpr auto kHealthPeriod = 1s;
 constexpr auto kLossTimeout = 5s;
 constexpr auto kLinger = 300ms;
 
-int64_t RandomNonce() {
-  std::random_device device;
-  return static_cast<int64_t>((uint64_t{device()} << 31) ^ device()) | 1;
-}
-
 // One service process in lockstep: LCM in, LCM out, and a look at the clock on
 // the wall for HELLO, HEALTH and losses only.
 class LcmNode {
@@ -34,7 +28,7 @@ class LcmNode {
       : name_(name),
         main_(address.MainUrl()),
         control_(address.ControlUrl()),
-        node_(roster, name, RandomNonce(), factory,
+        node_(roster, name, RandomIdentity(), factory,
               {.send_data =
                    [this](const Message& message) {
                      main_.Publish(message.channel, *message.bytes);

@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <exception>
+#include <random>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -92,6 +93,11 @@ void LcmPort::OnMessage(const lcm::ReceiveBuffer* buffer,
   } catch (const std::exception&) {
     subscription->failure = std::current_exception();
   }
+}
+
+int64_t RandomIdentity() {
+  std::random_device device;
+  return static_cast<int64_t>((uint64_t{device()} << 31) ^ device()) | 1;
 }
 
 void WaitForAny(const std::vector<LcmPort*>& ports, int timeout_ms) {

@@ -61,6 +61,9 @@ class LcmPort {
   lcm::LCM lcm_;
 };
 
+/// Tells one start of a process from all others; never 0.
+int64_t RandomIdentity();
+
 /// Waits until one of the ports has something to drain, at most `timeout_ms`;
 /// a signal ends the wait.
 void WaitForAny(const std::vector<LcmPort*>& ports, int timeout_ms);

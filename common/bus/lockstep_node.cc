@@ -24,11 +24,7 @@ LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
       index_(roster.RequireIndexOf(name)),
       nonce_(nonce),
       link_(std::move(link)),
-      stepper_({.name = name,
-                .truth_role = roster.entries[index_].truth_role,
-                .latency = roster.entries[index_].latency,
-                .status_phase =
-                    static_cast<int32_t>(index_) % Stepper::kStatusPeriod}),
+      stepper_(StepperParams(roster, index_, 0)),
       service_(factory(stepper_)) {}
 
 void LockstepNode::PutData(Message message) {

@@ -141,15 +141,9 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
                     const std::string& service, const ServiceFactory& factory) {
   const size_t index = roster.RequireIndexOf(service);
   if (index == 0) return ReplayClock(log, roster, factory);
-  const Roster::Entry& entry = roster.entries[index];
   Comparison comparison(log);
   for (const Life& life : LivesOf(log, service)) {
-    Stepper stepper(
-        {.name = entry.name,
-         .truth_role = entry.truth_role,
-         .sender = life.sender,
-         .latency = entry.latency,
-         .status_phase = static_cast<int32_t>(index) % Stepper::kStatusPeriod});
+    Stepper stepper(StepperParams(roster, index, life.sender));
     const std::unique_ptr<Service> object = factory(stepper);
     for (int32_t k = life.join_tick; k < life.end_tick; ++k) {
       const auto it = log.ticks().find(k);

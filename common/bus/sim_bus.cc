@@ -96,12 +96,8 @@ void SimBus::NewLife(size_t index, int32_t tick) {
   seat = Seat{};
   seat.life = life;
   seat.join_tick = tick;
-  seat.stepper = std::make_unique<Stepper>(Stepper::Params{
-      .name = entry.name,
-      .truth_role = entry.truth_role,
-      .sender = SenderOf(index, life),
-      .latency = entry.latency,
-      .status_phase = static_cast<int32_t>(index) % Stepper::kStatusPeriod});
+  seat.stepper = std::make_unique<Stepper>(
+      StepperParams(roster_, index, SenderOf(index, life)));
   seat.service = FactoryOf(factories_, entry.name)(*seat.stepper);
   hello_t hello{};
   hello.name = entry.name;

@@ -112,10 +112,9 @@ std::vector<Message> Stepper::Run() {
 bool Stepper::IsDue(const Timer& timer) const {
   const int32_t from =
       params_.latency == 1 ? tick_ : std::max(previous_tick_ + 1, 0);
-  for (int32_t tick = tick_; tick >= from; --tick) {
-    if (tick % timer.period == timer.phase) return true;
-  }
-  return false;
+  const int32_t since =
+      ((tick_ - timer.phase) % timer.period + timer.period) % timer.period;
+  return tick_ - since >= from;
 }
 
 void Stepper::Deliver() {

@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/message.h"
+#include "common/bus/roster.h"
 
 namespace cell {
 
@@ -99,5 +100,16 @@ class Stepper final : public Bus {
   bool is_running_ = false;
   std::optional<int32_t> end_tick_;
 };
+
+/// For a life of the roster's service at `index`.
+inline Stepper::Params StepperParams(const Roster& roster, size_t index,
+                                     int32_t sender) {
+  const Roster::Entry& entry = roster.entries[index];
+  return {.name = entry.name,
+          .truth_role = entry.truth_role,
+          .sender = sender,
+          .latency = entry.latency,
+          .status_phase = static_cast<int32_t>(index) % Stepper::kStatusPeriod};
+}
 
 }  // namespace cell

@@ -26,8 +26,6 @@ class RunReport {
   /// @return 0 if the episode came to its end.
   int Finish();
 
-  int32_t tick() const { return tick_; }
-
  private:
   std::string DrawPicture() const;
 
