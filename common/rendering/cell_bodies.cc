@@ -11,6 +11,7 @@ constexpr double kHalfTable = 1.5;  // [m]
 constexpr Colour kTableColour = {0.42, 0.38, 0.33};
 constexpr Colour kPedestalColour = {0.20, 0.21, 0.23};
 constexpr Colour kHandColour = {0.82, 0.58, 0.45};
+constexpr Colour kGripperColour = {0.30, 0.32, 0.36};
 
 }  // namespace
 
@@ -18,13 +19,18 @@ std::vector<RenderBody> BodiesOf(const PartTable& parts,
                                  const CellLayout& layout) {
   std::vector<RenderBody> bodies;
   for (const Part& part : parts.parts()) bodies.push_back(BodyOf(part));
-  for (const CellLayout::Hand& hand : layout.hands) {
-    bodies.push_back(
-        BoxBody(hand.name + ".palm", layout.palm.half_extents, kHandColour));
-    bodies.push_back(
-        BoxBody(hand.name + ".thumb", layout.thumb.half_extents, kHandColour));
-    bodies.push_back(BoxBody(hand.name + ".fingers",
-                             layout.fingers.half_extents, kHandColour));
+  const auto add_hand = [&](const std::string& name, const HandType& type,
+                            const Colour& colour) {
+    for (const HandType::Box& box : type.boxes) {
+      bodies.push_back(
+          BoxBody(name + "." + box.name, box.half_extents, colour));
+    }
+  };
+  for (const auto& hand : layout.hands) {
+    add_hand(hand.name, hand.type, kHandColour);
+  }
+  for (const ArmLayout& arm : layout.arms) {
+    add_hand(arm.gripper, arm.hand, kGripperColour);
   }
   bodies.push_back(PlaneBody("table", kHalfTable, kTableColour));
   bodies.back().X_WO = Eigen::Isometry3d::Identity();

@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "common/rendering/body.h"
 
 namespace cell {
 
 /// All that is seen in a cell: the parts, the boxes of the hands
-/// ("<hand>.palm", "<hand>.thumb", "<hand>.fingers", each with its middle in
+/// ("<hand>.<box>", each with its middle in
 /// its frame), and, where they stand for good, "table" and "pedestal".
 std::vector<RenderBody> BodiesOf(const PartTable& parts,
                                  const CellLayout& layout);

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> HandNames(const CellLayout& layout) {
   std::vector<std::string> names;
-  for (const CellLayout::Hand& hand : layout.hands) names.push_back(hand.name);
+  for (const auto& hand : layout.AllHands()) names.push_back(hand.name);
   return names;
 }
 

@@ -17,8 +17,8 @@
 
 namespace cell {
 
-/// What the last episode of a run came to, for scorers and summaries: collected from all its
-/// messages. Reads ground truth, so no service may use it.
+/// What the last episode of a run came to, for scorers and summaries: collected
+/// from all its messages. Reads ground truth, so no service may use it.
 struct EpisodeRecord {
   std::vector<action_t> actions;
   std::vector<truth_action_t> truth_actions;

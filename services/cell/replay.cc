@@ -83,8 +83,8 @@ void AddReplay(CLI::App& app, Action* action) {
       "Tell a recorded run again, or recompute every service's outputs from "
       "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
   command->add_option("run", options->run, "run folder")->required();
-  CLI::Option* check = command->add_flag(
-      "--check", options->is_check, "recompute and compare byte for byte");
+  CLI::Option* check = command->add_flag("--check", options->is_check,
+                                         "recompute and compare byte for byte");
   command
       ->add_option("--service", options->services,
                    "only this one (may be repeated)")

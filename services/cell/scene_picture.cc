@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "common/geometry/pose.h"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "common/rendering/camera.h"
 #include "common/rendering/cell_bodies.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cell/predicates_t.hpp"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/relational/domain.h"
 #include "common/sec/key_frame.h"
 #include "common/sec/scene.h"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "cell/action_t.hpp"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/sec/key_frame.h"
 
 namespace cell {

@@ -1,6 +1,6 @@
 #include "services/sec_builder/sec_builder.h"
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/sec/track.h"
 
 namespace cell {

@@ -9,11 +9,11 @@ namespace cell {
 IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
                            const Params& params)
     : cast_(cast) {
-  for (const auto& [suffix, box] : {std::pair{".palm", &layout.palm},
-                                    {".thumb", &layout.thumb},
-                                    {".fingers", &layout.fingers}}) {
-    surfaces_[suffix] =
-        SampleBoxSurface(box->half_extents, params.hand_spacing);
+  for (const auto& [hand, type] : layout.AllHands()) {
+    for (const HandType::Box& box : type->boxes) {
+      surfaces_[hand][hand + "." + box.name] =
+          SampleBoxSurface(box.half_extents, params.hand_spacing);
+    }
   }
 }
 
@@ -37,8 +37,8 @@ void IdealTracker::TrackHand(const std::string& hand, const TruthPoses& truth,
   Track track;
   track.name = hand;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& [suffix, surface] : surfaces_) {
-    const auto pose = truth.poses.find(hand + suffix);
+  for (const auto& [body, surface] : surfaces_.at(hand)) {
+    const auto pose = truth.poses.find(body);
     if (pose == truth.poses.end()) return;
     for (const Eigen::Vector3d& p_B : surface) {
       track.points.push_back(pose->second * p_B);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/sec/cast.h"
 #include "common/sec/track.h"
 
@@ -41,8 +41,9 @@ class IdealTracker {
                  Tracks& tracks) const;
 
   Cast cast_;
-  /// Surface points of the hands' bodies, by the end of their name.
-  std::map<std::string, std::vector<Eigen::Vector3d>> surfaces_;
+  /// Surface points of the bodies of each hand.
+  using Surfaces = std::map<std::string, std::vector<Eigen::Vector3d>>;
+  std::map<std::string, Surfaces> surfaces_;
 };
 
 }  // namespace cell

@@ -7,7 +7,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/sec/cast.h"
 #include "services/tracker/ideal_tracker.h"
 

@@ -72,7 +72,7 @@ bool Deeds::IsTooEarly(const Part& part, const std::string& site,
 void Deeds::NoteGrips(int64_t utime, const World& world) {
   std::map<std::string, std::string> held;
   for (const CellLayout::Hand& hand : world.layout().hands) {
-    if (const auto part = world.HeldBy(hand.name)) {
+    if (const auto part = world.hands().HeldBy(hand.name)) {
       held.try_emplace(*part, hand.name);
     }
   }

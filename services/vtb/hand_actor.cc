@@ -197,7 +197,7 @@ void HandActor::Update(double dt, World& world, const Tabletop& tabletop,
       steps_.erase(done);
     }
   }
-  world.MoveHand(hand_, X_WG_, opening_);
+  world.hands().Move(hand_, X_WG_, opening_);
 }
 
 void HandActor::Begin(World& world, const Tabletop& tabletop,
@@ -249,7 +249,7 @@ void HandActor::Begin(World& world, const Tabletop& tabletop,
       break;
     }
     case Step::kOpen:
-      world.Release(hand_);
+      world.hands().Release(hand_);
       roll_ = 0;
       opening_to_ = grasp_width_ + 2 * manner_.open_margin;
       break;
@@ -259,7 +259,7 @@ void HandActor::Begin(World& world, const Tabletop& tabletop,
       break;
     case Step::kRest:
       path_ = WayOver(X_WG_rest_, world, tabletop, random);
-      if (!world.HeldBy(hand_)) opening_to_ = kRestOpening;
+      if (!world.hands().HeldBy(hand_)) opening_to_ = kRestOpening;
       break;
   }
 }
@@ -289,7 +289,7 @@ bool HandActor::Act(World& world) {
              (opening_to_ - opening_from_) * MinimumJerk(time_ / duration);
   if (time_ < duration) return false;
   if (order.step == Step::kClose) {
-    world.Grip(hand_, order.part);
+    world.hands().Grip(hand_, order.part);
     X_GO_ = X_WG_.inverse() * world.PoseOf(order.part);
     tries_ = 0;
   }
@@ -356,7 +356,7 @@ HandPath HandActor::WayOver(const Isometry3d& X_WG, const World& world,
       (TiltOf(X_WG_.linear()) > 0.1 || TiltOf(X_WG.linear()) > 0.1);
   double radius = kSideClearance;
   double drop = is_tilting ? kTiltedDrop : kTipDrop;
-  const std::optional<std::string> held = world.HeldBy(hand_);
+  const std::optional<std::string> held = world.hands().HeldBy(hand_);
   if (held) {
     const PartExtent& extent = tabletop.ExtentOf(*held);
     radius += X_GO_.translation().head<2>().norm() + extent.radius;
@@ -434,7 +434,7 @@ bool HandActor::Turn(const Order& order, World& world) {
     return true;
   }
   roll_ -= manner_.turn_rate * dt_;
-  world.Roll(hand_, roll_);
+  world.hands().Roll(hand_, roll_);
   // The hand goes with the part along its axis.
   const Isometry3d X_WS = PoseOfSite(order.target.site, world);
   const double z =

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/config/config.h"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "services/vtb/hand_path.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
 namespace cell {

@@ -8,55 +8,19 @@
 #include <stdexcept>
 #include <utility>
 
+#include "services/vtb/mujoco_pose.h"
+
 namespace cell {
 namespace {
 
 using Eigen::Isometry3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 /// Distance of the two points by which a thread holds the axis [m].
 constexpr double kThreadBase = 0.02;
-/// How far each fingertip sinks into what it holds [m]; a touch that is seen.
-constexpr double kFingerGive = 0.0005;
-
-Isometry3d ToPose(const mjtNum* position, const mjtNum* quat_wxyz) {
-  Isometry3d X = Isometry3d::Identity();
-  X.translation() = Vector3d(position[0], position[1], position[2]);
-  X.linear() =
-      Quaterniond(quat_wxyz[0], quat_wxyz[1], quat_wxyz[2], quat_wxyz[3])
-          .normalized()
-          .toRotationMatrix();
-  return X;
-}
-
-void Write(const Isometry3d& X, mjtNum* position, mjtNum* quat_wxyz) {
-  const Quaterniond q(X.linear());
-  for (int i = 0; i < 3; ++i) position[i] = X.translation()[i];
-  quat_wxyz[0] = q.w();
-  quat_wxyz[1] = q.x();
-  quat_wxyz[2] = q.y();
-  quat_wxyz[3] = q.z();
-}
-
-Isometry3d Between(const Isometry3d& a, const Isometry3d& b, double fraction) {
-  Isometry3d X = Isometry3d::Identity();
-  X.translation() =
-      (1 - fraction) * a.translation() + fraction * b.translation();
-  X.linear() = Quaterniond(a.linear())
-                   .slerp(fraction, Quaterniond(b.linear()))
-                   .toRotationMatrix();
-  return X;
-}
 
 Isometry3d AlongZ(double z) {
-  Isometry3d X = Isometry3d::Identity();
-  X.translation().z() = z;
-  return X;
-}
-
-Isometry3d AboutZ(double angle) {
-  return Isometry3d(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+  return Isometry3d(Eigen::Translation3d(0, 0, z));
 }
 
 mjModel* Compile(const std::string& xml) {
@@ -113,14 +77,6 @@ World::World(const PartTable& table, const CellLayout& layout,
     qpos_.push_back(joint < 0 ? -1 : model_->jnt_qposadr[joint]);
     centres_.push_back(MomentsOf(part.pieces).centre);
   }
-  for (const CellLayout::Hand& hand : layout_->hands) {
-    hand_mocaps_.push_back(
-        model_->body_mocapid[id(mjOBJ_BODY, hand.name + kWrist)]);
-    std::vector<int>& grips = grips_.emplace_back();
-    for (const Part& part : table_->parts()) {
-      grips.push_back(id(mjOBJ_EQUALITY, GripName(hand.name, part.name)));
-    }
-  }
   for (const Part& host : table_->parts()) {
     for (const Site& site : host.sites) {
       for (const Part& part : table_->parts()) {
@@ -138,6 +94,7 @@ World::World(const PartTable& table, const CellLayout& layout,
       }
     }
   }
+  hands_ = std::make_unique<Hands>(*table_, *layout_, *model_, *data_);
   Reset();
 }
 
@@ -148,13 +105,7 @@ World::~World() = default;
 void World::Reset() {
   mj_resetData(model_.get(), data_.get());
   std::fill_n(model_->eq_active, model_->neq, mjtByte{0});
-  hands_.clear();
-  for (size_t i = 0; i < layout_->hands.size(); ++i) {
-    Isometry3d X_WG = Isometry3d::Identity();
-    X_WG.translation() = layout_->hands[i].p_WG_rest;
-    hands_.push_back({X_WG, X_WG, 0, 0, 0, 0, -1, Isometry3d::Identity()});
-    PutHand(i, X_WG, 0);
-  }
+  hands_->Reset();
   for (ThreadJoint& joint : threads_) joint.engagement.Restore({});
 }
 
@@ -165,86 +116,24 @@ int World::PartIndex(const std::string& part) const {
   throw std::invalid_argument("no part is named '" + part + "'");
 }
 
-size_t World::HandIndex(const std::string& hand) const {
-  for (size_t i = 0; i < layout_->hands.size(); ++i) {
-    if (layout_->hands[i].name == hand) return i;
-  }
-  throw std::invalid_argument("no hand is named '" + hand + "'");
-}
-
-bool World::IsHeld(int part) const {
-  return std::ranges::any_of(
-      hands_, [&](const HandState& hand) { return hand.part == part; });
-}
-
 void World::Place(const std::string& part, const Isometry3d& X_WO) {
   const int address = qpos_[static_cast<size_t>(PartIndex(part))];
   if (address < 0) throw std::invalid_argument(part + " is fixed");
-  Write(X_WO, data_->qpos + address, data_->qpos + address + 3);
-}
-
-void World::MoveHand(const std::string& hand, const Isometry3d& X_WG,
-                     double opening) {
-  HandState& state = hands_[HandIndex(hand)];
-  state.X_WG_goal = X_WG;
-  state.opening_goal = opening;
-}
-
-void World::Grip(const std::string& hand, const std::string& part) {
-  const size_t index = HandIndex(hand);
-  HandState& state = hands_[index];
-  if (state.part >= 0) throw std::logic_error(hand + " holds a part already");
-  const int part_index = PartIndex(part);
-  const int grip = grips_[index][static_cast<size_t>(part_index)];
-  if (grip < 0) throw std::invalid_argument(part + " is fixed");
-  state.part = part_index;
-  state.roll = state.roll_goal = 0;
-  state.X_GO_grip = state.X_WG.inverse() * PoseAt(part_index);
-  const int body = bodies_[static_cast<size_t>(part_index)];
-  // The person carries the weight.
-  data_->xfrc_applied[6 * body + 2] =
-      -model_->opt.gravity[2] * model_->body_mass[body];
-  model_->eq_active[grip] = 1;
-  PullGrip(index, state.X_WG, 0);
-}
-
-void World::Release(const std::string& hand) {
-  const size_t index = HandIndex(hand);
-  HandState& state = hands_[index];
-  if (state.part < 0) throw std::logic_error(hand + " holds nothing");
-  const auto part = static_cast<size_t>(state.part);
-  model_->eq_active[grips_[index][part]] = 0;
-  data_->xfrc_applied[6 * bodies_[part] + 2] = 0;
-  state.part = -1;
-  state.roll = state.roll_goal = 0;
-}
-
-void World::Roll(const std::string& hand, double angle) {
-  hands_[HandIndex(hand)].roll_goal = angle;
-}
-
-std::optional<std::string> World::HeldBy(const std::string& hand) const {
-  const int part = hands_[HandIndex(hand)].part;
-  if (part < 0) return std::nullopt;
-  return table_->parts()[static_cast<size_t>(part)].name;
+  PoseToMujoco(X_WO, data_->qpos + address, data_->qpos + address + 3);
 }
 
 void World::Run(int num_steps) {
   const double duration = num_steps * params_.dt;
+  hands_->BeforeRun();
   for (int step = 1; step <= num_steps; ++step) {
     const double fraction = static_cast<double>(step) / num_steps;
-    for (size_t i = 0; i < hands_.size(); ++i) {
-      StepHand(i, fraction, duration);
-    }
+    hands_->BeforeStep(fraction, duration);
     for (ThreadJoint& joint : threads_) StepThread(joint);
     mj_step(model_.get(), data_.get());
+    hands_->AfterStep();
   }
   CheckPhysics();
-  for (HandState& hand : hands_) {
-    hand.X_WG = hand.X_WG_goal;
-    hand.opening = hand.opening_goal;
-    hand.roll = hand.roll_goal;
-  }
+  hands_->AfterRun();
 }
 
 /// MuJoCo goes on after an overflow or an explosion; results would be nonsense.
@@ -258,52 +147,11 @@ void World::CheckPhysics() const {
   }
 }
 
-void World::StepHand(size_t index, double fraction, double duration) {
-  const HandState& hand = hands_[index];
-  const Isometry3d X_WG = Between(hand.X_WG, hand.X_WG_goal, fraction);
-  PutHand(index, X_WG,
-          hand.opening + fraction * (hand.opening_goal - hand.opening));
-  if (hand.part < 0) return;
-  // The spring drags on what moves: the wrist pulls from ahead, so that the
-  // part stays where the fingers are.
-  const double lead = 2 * 0.95 * params_.grip_time_constant / duration;
-  Isometry3d X_WL = X_WG;
-  X_WL.translation() +=
-      lead * (hand.X_WG_goal.translation() - hand.X_WG.translation());
-  const Eigen::AngleAxisd turn(Quaterniond(hand.X_WG_goal.linear()) *
-                               Quaterniond(hand.X_WG.linear()).conjugate());
-  X_WL.linear() =
-      Eigen::AngleAxisd(lead * turn.angle(), turn.axis()).toRotationMatrix() *
-      X_WL.linear();
-  PullGrip(index, X_WL,
-           hand.roll + (fraction + lead) * (hand.roll_goal - hand.roll));
-}
-
-void World::PutHand(size_t index, const Isometry3d& X_WG, double opening) {
-  const auto put = [&](int offset, const CellLayout::HandBox& box, double x) {
-    const Isometry3d X_GB(Eigen::Translation3d(x, 0, box.z));
-    SetMocap(hand_mocaps_[index] + offset, X_WG * X_GB);
-  };
-  // Bodies follow each other in the model: wrist, palm, thumb, fingers.
-  SetMocap(hand_mocaps_[index], X_WG);
-  const double half = opening / 2 - kFingerGive;
-  put(1, layout_->palm, 0);
-  put(2, layout_->thumb, -half - layout_->thumb.half_extents.x());
-  put(3, layout_->fingers, half + layout_->fingers.half_extents.x());
-}
-
-void World::PullGrip(size_t index, const Isometry3d& X_WL, double roll) {
-  const HandState& hand = hands_[index];
-  SetMocap(hand_mocaps_[index], X_WL);
-  const auto part = static_cast<size_t>(hand.part);
-  SetWeld(grips_[index][part], hand.part, AboutZ(roll) * hand.X_GO_grip);
-}
-
 void World::StepThread(ThreadJoint& joint) {
   const Isometry3d X_WH = PoseAt(joint.host);
   const Isometry3d& X_HS = joint.site->X_HS;
   const Isometry3d X_SO = X_HS.inverse() * X_WH.inverse() * PoseAt(joint.part);
-  joint.engagement.Update(X_SO, IsHeld(joint.part));
+  joint.engagement.Update(X_SO, hands_->IsHeld(joint.part));
   const ThreadEngagement::State state = joint.engagement.memory().state;
   const bool is_engaged = state == ThreadEngagement::State::kEngaged;
   for (const int i : {0, 1}) {
@@ -319,24 +167,9 @@ void World::StepThread(ThreadJoint& joint) {
   const bool is_frozen = state == ThreadEngagement::State::kFrozen;
   model_->eq_active[joint.freeze] = is_frozen;
   if (is_frozen) {
-    SetWeld(joint.freeze, joint.part, X_HS * joint.engagement.X_SO());
+    SetWeld(X_HS * joint.engagement.X_SO(),
+            centres_[static_cast<size_t>(joint.part)], *model_, joint.freeze);
   }
-}
-
-void World::SetMocap(int mocap, const Isometry3d& X) {
-  Write(X, data_->mocap_pos + 3 * mocap, data_->mocap_quat + 4 * mocap);
-}
-
-/// X_1O: pose that the part shall have in the weld's first body. The weld acts
-/// at the part's centre of mass, so that its turning does not shift it.
-void World::SetWeld(int equality, int part, const Isometry3d& X_1O) {
-  mjtNum* data = model_->eq_data + mjNEQDATA * equality;
-  const Vector3d& centre = centres_[static_cast<size_t>(part)];
-  Isometry3d X_1C = X_1O;
-  X_1C.translation() = X_1O * centre;
-  Eigen::Map<Vector3d>(data, 3) = centre;
-  Write(X_1C, data + 3, data + 6);
-  data[10] = 1;
 }
 
 double World::time() const {
@@ -350,7 +183,7 @@ Isometry3d World::PoseAt(int part) const {
   const auto index = static_cast<size_t>(part);
   const int address = qpos_[index];
   if (address < 0) return layout_->pedestal.X_WP;
-  return ToPose(data_->qpos + address, data_->qpos + address + 3);
+  return PoseFromMujoco(data_->qpos + address, data_->qpos + address + 3);
 }
 
 Isometry3d World::PoseOf(const std::string& part) const {
@@ -392,15 +225,7 @@ std::vector<BodyPose> World::Bodies() const {
   for (size_t i = 0; i < table_->parts().size(); ++i) {
     bodies.push_back({table_->parts()[i].name, PoseAt(static_cast<int>(i))});
   }
-  for (size_t i = 0; i < hands_.size(); ++i) {
-    int mocap = hand_mocaps_[i];
-    for (const char* box : {kPalm, kThumb, kFingers}) {
-      ++mocap;
-      bodies.push_back({layout_->hands[i].name + box,
-                        ToPose(data_->mocap_pos + 3 * mocap,
-                               data_->mocap_quat + 4 * mocap)});
-    }
-  }
+  for (BodyPose& body : hands_->Bodies()) bodies.push_back(std::move(body));
   return bodies;
 }
 
@@ -439,7 +264,7 @@ World::Snapshot World::Save() const {
                             numbers.end());
   });
   snapshot.active.assign(model_->eq_active, model_->eq_active + model_->neq);
-  snapshot.hands = hands_;
+  snapshot.hands = hands_->states();
   for (const ThreadJoint& joint : threads_) {
     snapshot.threads.push_back(joint.engagement.memory());
   }
@@ -453,7 +278,7 @@ void World::Restore(const Snapshot& snapshot) {
     next += static_cast<std::ptrdiff_t>(numbers.size());
   });
   std::ranges::copy(snapshot.active, model_->eq_active);
-  hands_ = snapshot.hands;
+  hands_->Restore(snapshot.hands);
   for (size_t i = 0; i < threads_.size(); ++i) {
     threads_[i].engagement.Restore(snapshot.threads.at(i));
   }

@@ -8,18 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
+#include "services/vtb/hands.h"
 #include "services/vtb/thread_engagement.h"
 #include "services/vtb/world_xml.h"
 
 namespace cell {
-
-/// A body and where it is.
-struct BodyPose {
-  std::string name;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-};
 
 /// Two bodies that touch; hands touch without pushing.
 struct BodyContact {
@@ -49,15 +44,9 @@ class World {
   /// Puts a free part somewhere, at rest.
   void Place(const std::string& part, const Eigen::Isometry3d& X_WO);
 
-  /// Moves the hand evenly there within the next call of Run().
-  void MoveHand(const std::string& hand, const Eigen::Isometry3d& X_WG,
-                double opening);
-  void Grip(const std::string& hand, const std::string& part);
-  void Release(const std::string& hand);
-  /// Rolls the held part between the fingertips: it turns about z of G by
-  /// `angle` [rad] from how it was gripped, within the next call of Run().
-  void Roll(const std::string& hand, double angle);
-  std::optional<std::string> HeldBy(const std::string& hand) const;
+  /// What hands do from now on.
+  Hands& hands() { return *hands_; }
+  const Hands& hands() const { return *hands_; }
 
   /// @throws std::runtime_error if the physics overflow or diverge.
   void Run(int num_steps);
@@ -85,13 +74,6 @@ class World {
   mjData& data() { return *data_; }
 
  private:
-  struct HandState {
-    Eigen::Isometry3d X_WG, X_WG_goal;
-    double opening, opening_goal;
-    double roll, roll_goal;
-    int part;                     // index of the held part; -1: none
-    Eigen::Isometry3d X_GO_grip;  // when it was gripped
-  };
   struct ThreadJoint {
     const Site* site;
     int host, part;  // indices in the table
@@ -102,16 +84,9 @@ class World {
   const ThreadJoint* FindJoint(const std::string& site,
                                const std::string& part) const;
   int PartIndex(const std::string& part) const;
-  size_t HandIndex(const std::string& hand) const;
-  bool IsHeld(int part) const;
   void CheckPhysics() const;
   Eigen::Isometry3d PoseAt(int part) const;
-  void StepHand(size_t index, double fraction, double duration);
-  void PutHand(size_t index, const Eigen::Isometry3d& X_WG, double opening);
-  void PullGrip(size_t index, const Eigen::Isometry3d& X_WL, double roll);
   void StepThread(ThreadJoint& joint);
-  void SetMocap(int mocap, const Eigen::Isometry3d& X);
-  void SetWeld(int equality, int part, const Eigen::Isometry3d& X_1O);
 
   std::unique_ptr<PartTable> table_;
   std::unique_ptr<CellLayout> layout_;
@@ -127,16 +102,14 @@ class World {
   std::vector<int> bodies_;  // of the parts
   std::vector<int> qpos_;    // address of the parts' free joints; -1: fixed
   std::vector<Eigen::Vector3d> centres_;  // of mass, in O
-  std::vector<int> hand_mocaps_;          // of the wrists
-  std::vector<std::vector<int>> grips_;   // equality of [hand][part]; -1: none
-  std::vector<HandState> hands_;
+  std::unique_ptr<Hands> hands_;
   std::vector<ThreadJoint> threads_;
 };
 
 struct World::Snapshot {
   std::vector<mjtNum> numbers;  ///< state of the physics
   std::vector<mjtByte> active;  ///< equalities
-  std::vector<HandState> hands;
+  std::vector<Hands::State> hands;
   std::vector<ThreadEngagement::Memory> threads;
 };
 

@@ -71,8 +71,13 @@ class Writer {
     // Bodies first: they name the meshes.
     WriteTable();
     for (const Part& part : table_.parts()) WritePart(part);
-    for (const CellLayout::Hand& hand : layout_.hands) WriteHand(hand.name);
-    for (const CellLayout::Hand& hand : layout_.hands) WriteGrips(hand.name);
+    for (const auto& hand : layout_.AllHands()) WriteHand(hand);
+    for (const CellLayout::Hand& hand : layout_.hands) {
+      WriteGrips(hand.name, params_.grip_time_constant);
+    }
+    for (const ArmLayout& arm : layout_.arms) {
+      WriteGrips(arm.gripper, std::max(0.004, 2 * params_.dt));
+    }
     WriteThreads();
     return fmt::format(
         "<mujoco>\n<compiler angle='radian'/>\n"
@@ -156,29 +161,28 @@ class Writer {
     }
   }
 
-  void WriteHand(const std::string& hand) {
-    Append(bodies_, "<body name='{}{}' mocap='true'/>\n", hand, kWrist);
-    WriteHandBox(hand + kPalm, layout_.palm);
-    WriteHandBox(hand + kThumb, layout_.thumb);
-    WriteHandBox(hand + kFingers, layout_.fingers);
+  void WriteHand(const CellLayout::NamedHand& hand) {
+    Append(bodies_, "<body name='{}{}' mocap='true'/>\n", hand.name, kWrist);
+    for (const HandType::Box& box : hand.type->boxes) {
+      WriteHandBox(hand.name + "." + box.name, box);
+    }
   }
 
   /// A gap beyond any penetration: contacts are found but do not push.
-  void WriteHandBox(const std::string& name, const CellLayout::HandBox& box) {
+  void WriteHandBox(const std::string& name, const HandType::Box& box) {
     Append(bodies_,
            "<body name='{}' mocap='true'><geom type='box' size='{}' {}"
            " margin='0.001' gap='1'/></body>\n",
            name, Text(box.half_extents), ContactMasks::OfADetector());
   }
 
-  void WriteGrips(const std::string& hand) {
+  void WriteGrips(const std::string& hand, double time_constant) {
     for (const Part& part : table_.parts()) {
       if (part.is_fixed) continue;
       Append(equalities_,
              "<weld name='{}' body1='{}{}' body2='{}' active='false'"
              " solref='{:.17g} 1' solimp='0.95 0.95 0.001'/>\n",
-             GripName(hand, part.name), hand, kWrist, part.name,
-             params_.grip_time_constant);
+             GripName(hand, part.name), hand, kWrist, part.name, time_constant);
     }
   }
 

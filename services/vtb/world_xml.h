@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
 namespace cell {
@@ -19,9 +19,6 @@ struct PhysicsParams {
 /// wrist that parts are welded to while they are held.
 inline constexpr char kTableName[] = "table";
 inline constexpr char kPedestalName[] = "pedestal";
-inline constexpr char kPalm[] = ".palm";
-inline constexpr char kThumb[] = ".thumb";
-inline constexpr char kFingers[] = ".fingers";
 inline constexpr char kWrist[] = ".wrist";
 
 std::string GripName(const std::string& hand, const std::string& part);

@@ -40,13 +40,7 @@ struct Watched {
         X_WG.translation() << 0.05 * side, -0.04, 0.225;
       }
       side = 1;
-      for (const auto& [body, box, x] :
-           {std::tuple{".palm", &task.layout.palm, 0.0},
-            {".thumb", &task.layout.thumb, -0.02},
-            {".fingers", &task.layout.fingers, 0.02}}) {
-        truth.poses[hand.name + body] =
-            X_WG * Eigen::Translation3d(x, 0, box->z);
-      }
+      AddHand(hand.type, hand.name, X_WG, 0.028, truth);
     }
     tracks = IdealTracker(task.cast, task.layout, {}).Update(truth);
   }

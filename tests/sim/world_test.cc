@@ -131,7 +131,7 @@ TEST(World, AHandIsNoticedButDoesNotPush) {
   Scatter(world);
   world.Run(200);
   const Isometry3d before = world.PoseOf("shaft");
-  world.MoveHand("hand_left", before * Upright(0, 0, 0.03), 0.03);
+  world.hands().Move("hand_left", before * Upright(0, 0, 0.03), 0.03);
   world.Run(100);
   const auto contacts = world.Contacts();
   const auto found = std::ranges::find_if(contacts, [](const auto& contact) {
@@ -147,21 +147,21 @@ TEST(World, AHeldPartFollowsItsHand) {
   World world = MakeWorld();
   Scatter(world);
   Isometry3d X_WG = world.PoseOf("shaft") * Upright(0, 0, 0.032);
-  world.MoveHand("hand_right", X_WG, 0.04);
+  world.hands().Move("hand_right", X_WG, 0.04);
   world.Run(8);
-  world.Grip("hand_right", "shaft");
-  EXPECT_EQ(world.HeldBy("hand_right"), "shaft");
+  world.hands().Grip("hand_right", "shaft");
+  EXPECT_EQ(world.hands().HeldBy("hand_right"), "shaft");
   for (int tick = 0; tick < 125; ++tick) {
     X_WG.translation() += Vector3d(0.0016, 0, 0.0016);  // 0.28 m/s
-    world.MoveHand("hand_right", X_WG, 0.04);
+    world.hands().Move("hand_right", X_WG, 0.04);
     world.Run(8);
     const Vector3d p_GO =
         (X_WG.inverse() * world.PoseOf("shaft")).translation();
     EXPECT_LT((p_GO - Vector3d(0, 0, -0.032)).norm(), tick < 25 ? 0.006 : 1e-3)
         << tick;
   }
-  world.Release("hand_right");
-  EXPECT_FALSE(world.HeldBy("hand_right"));
+  world.hands().Release("hand_right");
+  EXPECT_FALSE(world.hands().HeldBy("hand_right"));
 }
 
 /// Someone holds a part in mid-air while others are about to fall.
@@ -169,19 +169,19 @@ World Busy() {
   World world = MakeWorld();
   SeatAll(world);
   world.Place("square_peg_1", Upright(0.3, -0.3, 0.08));
-  world.MoveHand(
+  world.hands().Move(
       "hand_right",
       world.PoseOf("head") * Isometry3d(Eigen::Translation3d(0, 0, 0.018)),
       0.06);
   world.Run(8);
-  world.Grip("hand_right", "head");
+  world.hands().Grip("hand_right", "head");
   return world;
 }
 
 void GoOn(World& world, int ticks) {
   for (int tick = 0; tick < ticks; ++tick) {
-    world.MoveHand("hand_left", Upright(-0.3, 0.001 * tick, 0.3), 0.05);
-    world.Roll("hand_right", 0.01 * tick);
+    world.hands().Move("hand_left", Upright(-0.3, 0.001 * tick, 0.3), 0.05);
+    world.hands().Roll("hand_right", 0.01 * tick);
     world.Run(8);
   }
 }

@@ -240,8 +240,7 @@ TEST_F(CellCommand, AMisspeltKeyIsNamedWithItsFile) {
 }
 
 TEST_F(CellCommand, WithoutAMulticastRouteAServiceSaysWhatToDo) {
-  const ShellResult run =
-      Shell("unshare -rn " + std::string(CELL_BIN_DIR) + "/planner");
+  const ShellResult run = Shell(InPrivateNetwork() + CELL_BIN_DIR + "/planner");
   EXPECT_EQ(run.code, 1) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ip route add 224.0.0.0/4 dev lo"));
 }
@@ -258,8 +257,8 @@ TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
       << "for try in 1 2 3 4 5 6 7 8 9 10; do " << bin
       << "/cell episode end --deadline 5 && break; done\n"
          "wait $clock\n";
-  const ShellResult run =
-      Shell("cd " + dir_.string() + " && unshare -rn bash run.sh");
+  const ShellResult run = Shell("cd " + dir_.string() + " && " +
+                                InPrivateNetwork() + "bash run.sh");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("asked the clock to end the episode"));
   const RunLog log = RunLog::Load(dir_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -13,6 +14,12 @@ struct ShellResult {
   int code = -1;
   std::string output;
 };
+
+/// Runs what follows in a network of its own. Root needs no user namespace,
+/// which a chroot would refuse.
+inline std::string InPrivateNetwork() {
+  return geteuid() == 0 ? "unshare -n " : "unshare -rn ";
+}
 
 inline ShellResult Shell(const std::string& command) {
   ShellResult result;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 
 namespace cell {
 namespace {

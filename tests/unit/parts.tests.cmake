@@ -1,1 +1,1 @@
-cell_add_test(unit/part_table_test.cc LINK cell_parts)
+cell_add_test(unit/part_table_test.cc LINK cell_layout cell_parts)

@@ -24,17 +24,10 @@ class ProximityTest : public testing::Test {
       truth.poses[track.name] = track.X_WO;
     }
     for (const auto& [hand, X_WG] : hands_) {
-      const CellLayout& layout = task_.layout;
-      const auto put = [&, &h = hand, &X = X_WG](const char* body,
-                                                 const CellLayout::HandBox& box,
-                                                 double x) {
-        truth.poses[h + body] = X * Translation3d(x, 0, box.z);
-      };
-      put(".palm", layout.palm, 0);
-      put(".thumb", layout.thumb,
-          -opening_ / 2 - layout.thumb.half_extents.x());
-      put(".fingers", layout.fingers,
-          opening_ / 2 + layout.fingers.half_extents.x());
+      for (const auto& known : task_.layout.AllHands()) {
+        if (known.name != hand) continue;
+        AddHand(*known.type, hand, X_WG, opening_, truth);
+      }
     }
     return IdealTracker(task_.cast, task_.layout, {}).Update(truth);
   }
@@ -67,7 +60,9 @@ class ProximityTest : public testing::Test {
   Stage stage_{task_};
   std::map<std::string, Isometry3d> hands_ = {
       {"hand_left", Isometry3d(Translation3d(-0.44, -0.3, 0.4))},
-      {"hand_right", Isometry3d(Translation3d(0.62, -0.3, 0.4))}};
+      {"hand_right", Isometry3d(Translation3d(0.62, -0.3, 0.4))},
+      {"gripper_left", Isometry3d(Translation3d(-0.3, 0.3, 0.5))},
+      {"gripper_right", Isometry3d(Translation3d(0.3, 0.3, 0.5))}};
   double opening_ = 0.1;
   ProximitySensor sensor_{task_.cast, task_.parts, {}};
 };

@@ -192,7 +192,7 @@ TEST(CellBodies, EveryPartIsSeenWhenLaidOut) {
   const auto num_pixels = image.NumPixels();
   for (size_t i = 0; i < scene.bodies().size(); ++i) {
     const std::string& name = scene.bodies()[i].name;
-    if (name.starts_with("hand")) continue;
+    if (name.find('.') != std::string::npos) continue;  // a hand's box
     const auto it = num_pixels.find(static_cast<int32_t>(i));
     EXPECT_GE(it == num_pixels.end() ? 0 : it->second, 50) << name;
   }

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "common/geometry/part_shape.h"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/sec/predicate_sensor.h"
 #include "tests/unit/cranfield_domain.h"
 

@@ -9,13 +9,14 @@
 
 #include "common/config/deployment.h"
 #include "common/geometry/part_shape.h"
-#include "common/parts/cell_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
 #include "common/sec/cast.h"
 #include "common/sec/key_frame.h"
 #include "common/sec/predicate_sensor.h"
 #include "common/sec/track.h"
+#include "services/tracker/ideal_tracker.h"
 
 namespace cell {
 
@@ -39,6 +40,16 @@ struct ShippedTask {
         domain.vocabulary(), parts, layout.workspace, domain_config);
   }
 };
+
+/// Adds the boxes of a hand that grips with its fingers down X_WG.
+inline void AddHand(const HandType& type, const std::string& hand,
+                    const Eigen::Isometry3d& X_WG, double opening,
+                    TruthPoses& truth) {
+  for (size_t i = 0; i < type.boxes.size(); ++i) {
+    truth.poses[hand + "." + type.boxes[i].name] =
+        X_WG * HandType::PlaceOf(type.grips[0], i, opening);
+  }
+}
 
 /// Puts parts and hands where a test wants them, and makes key frames of it.
 /// At first the base stands on its pedestal and everything else upright on the

@@ -139,13 +139,9 @@ class World {
       const Isometry3d X_WG =
           is_right ? X_WG_ : Isometry3d(Translation3d(hand.p_WG_rest));
       const double half = (is_right ? opening_ : 0.1) / 2;
-      const CellLayout& l = task_.layout;
-      add(hand.name + ".palm", X_WG * Translation3d(0, 0, l.palm.z));
-      add(hand.name + ".thumb",
-          X_WG * Translation3d(-half - l.thumb.half_extents.x(), 0, l.thumb.z));
-      add(hand.name + ".fingers",
-          X_WG *
-              Translation3d(half + l.fingers.half_extents.x(), 0, l.fingers.z));
+      TruthPoses boxes;
+      AddHand(hand.type, hand.name, X_WG, 2 * half, boxes);
+      for (const auto& [name, X_WB] : boxes.poses) add(name, X_WB);
     }
     truth.num_bodies = static_cast<int32_t>(truth.bodies.size());
     return truth;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "common/config/config.h"
+#include "common/layout/arm_layout.h"
+#include "common/layout/hand_type.h"
 
 namespace cell {
 
@@ -22,28 +24,32 @@ struct CellLayout {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
   };
-  /// A hand is three boxes "<hand>.palm", "<hand>.thumb", "<hand>.fingers",
-  /// upright in its frame G (Grasp).
-  struct HandBox {
-    Eigen::Vector3d half_extents = Eigen::Vector3d::Zero();
-    double z = 0;  ///< of its centre in G
-  };
+  /// A person's hand.
   struct Hand {
     std::string name;
+    HandType type;
     Eigen::Vector3d p_WG_rest = Eigen::Vector3d::Zero();  ///< fingers down
+  };
+  /// Any hand: a person's or an arm's gripper.
+  struct NamedHand {
+    std::string name;
+    const HandType* type;
   };
 
   /// @throws ConfigError naming file:key.
   static CellLayout FromConfig(const Config& config);
 
+  /// Persons' hands, then grippers. Refers to this object.
+  std::vector<NamedHand> AllHands() const;
+  /// Nothing if there is none of that name.
+  const ArmLayout* FindArm(const std::string& name) const;
+
   /// Parts outside are out of the cell's reach.
   Eigen::AlignedBox3d workspace;
   Pedestal pedestal;
   PartsArea parts_area;
-  HandBox palm;
-  HandBox thumb;    ///< its inner face at -x
-  HandBox fingers;  ///< their inner face at +x
-  std::vector<Hand> hands;
+  std::vector<Hand> hands;      ///< persons'
+  std::vector<ArmLayout> arms;  ///< by name
 };
 
 }  // namespace cell

@@ -1,0 +1,65 @@
+#include "common/layout/arm_layout.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numbers>
+#include <vector>
+
+#include "common/layout/vectors.h"
+
+namespace cell {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Eigen::Isometry3d AlongZ(double z) {
+  return Eigen::Isometry3d(Eigen::Translation3d(0, 0, z));
+}
+
+void LoadTool(const Config& config,
+              const std::map<std::string, HandType>& types, ArmLayout* arm) {
+  const auto hand = config.Get<std::string>("hand");
+  const auto type = types.find(hand);
+  if (type == types.end()) config["hand"].Fail("no such hand type: " + hand);
+  arm->hand = type->second;
+  arm->gripper = "gripper_" + arm->name;
+  // G looks back at the flange: it approaches along its -z.
+  arm->X_FG = AlongZ(config.Number("tcp", 0, 1)) *
+              Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
+  if (config.Has("force_torque")) {
+    arm->X_FS = AlongZ(config.Number("force_torque", 0, 1));
+  }
+  arm->tool_mass = config.Number("mass", 0, 10);
+  arm->p_F_tool.z() = config.Number("centre_of_mass", 0, 1);
+}
+
+}  // namespace
+
+ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
+                                const std::map<std::string, HandType>& types) {
+  ArmLayout arm;
+  arm.name = name;
+  arm.X_WB = PoseFromConfig(config["base"]);
+  const std::vector<double> home = config.Numbers("home_deg", 6);
+  for (int i = 0; i < 6; ++i) {
+    arm.home[i] = home[static_cast<size_t>(i)] * kDegree;
+  }
+  LoadTool(config["tool"], types, &arm);
+  const Config workspace = config["workspace"];
+  arm.workspace = Eigen::AlignedBox3d(Vector3(workspace, "low"),
+                                      Vector3(workspace, "high"));
+  if (arm.workspace.isEmpty()) workspace.Fail("low lies above high");
+  const Eigen::Vector2d station = Vector2(config, "station");
+  arm.X_WT_station.translation() << station, 0;
+  return arm;
+}
+
+std::string ChannelSuffix(const std::string& arm) {
+  std::string suffix = arm;
+  std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) {
+    return static_cast<char>(std::toupper(c));
+  });
+  return suffix;
+}
+
+}  // namespace cell

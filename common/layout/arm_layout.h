@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "common/config/config.h"
+#include "common/layout/hand_type.h"
+
+namespace cell {
+
+/// Joint angles [rad] of a 6-axis arm, from the base to the flange.
+using Joints = Eigen::Matrix<double, 6, 1>;
+
+/// One arm of the cell, a UR5, and what it carries: cell.yaml's `arms`. Frames:
+/// B of its base, F of the flange (z out of it), S of the force-torque sensor,
+/// G of the gripper (Grasp: approach along -z, fingers close along x).
+struct ArmLayout {
+  std::string name;     ///< "right": its channels end in _RIGHT
+  std::string gripper;  ///< the name of its hand among all hands
+  HandType hand;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  Joints home = Joints::Zero();
+  Eigen::Isometry3d X_FG = Eigen::Isometry3d::Identity();
+  /// Nothing: there is no sensor, and the arm inserts nothing.
+  std::optional<Eigen::Isometry3d> X_FS;
+  double tool_mass = 0;                                ///< [kg] beyond S
+  Eigen::Vector3d p_F_tool = Eigen::Vector3d::Zero();  ///< its centre of mass
+  /// The origin of G stays within.
+  Eigen::AlignedBox3d workspace;
+  /// Upright parts are set down here for the other arm.
+  Eigen::Isometry3d X_WT_station = Eigen::Isometry3d::Identity();
+
+  /// The arm called `name`. @throws ConfigError naming file:key.
+  static ArmLayout FromConfig(const std::string& name, const Config& config,
+                              const std::map<std::string, HandType>& types);
+};
+
+/// "RIGHT" of "right", for channel names.
+std::string ChannelSuffix(const std::string& arm);
+
+}  // namespace cell

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+namespace cell {
+
+/// A body of the world and where it is.
+struct BodyPose {
+  std::string name;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace cell
