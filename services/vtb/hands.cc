@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 /// How far each fingertip sinks into what it holds [m]; a touch that is seen.
 constexpr double kFingerGive = 0.0005;
 constexpr double kRestOpening = 0.0;
+constexpr double kAboveBase = 0.7;  // [m]
 
 Isometry3d Between(const Isometry3d& a, const Isometry3d& b, double fraction) {
   Isometry3d X = Isometry3d::Identity();
@@ -52,11 +53,7 @@ Hands::Hands(const PartTable& table, const CellLayout& layout, mjModel& model,
     fixture.type = &type;
     fixture.mocap = model_.body_mocapid[id(mjOBJ_BODY, name + kWrist)];
     for (const Part& part : table.parts()) {
-      const int grip = id(mjOBJ_EQUALITY, GripName(name, part.name));
-      fixture.grips.push_back(grip);
-      if (grip >= 0) {
-        fixture.time_constant = model_.eq_solref[mjNREF * grip];
-      }
+      fixture.grips.push_back(id(mjOBJ_EQUALITY, GripName(name, part.name)));
     }
   };
   for (const CellLayout::Hand& hand : layout.hands) {
@@ -64,7 +61,12 @@ Hands::Hands(const PartTable& table, const CellLayout& layout, mjModel& model,
     fixtures_.back().is_person = true;
     fixtures_.back().X_WG_rest.translation() = hand.p_WG_rest;
   }
-  for (const ArmLayout& arm : layout.arms) add(arm.gripper, arm.hand);
+  for (const ArmLayout& arm : layout.arms) {
+    add(arm.gripper, arm.hand);
+    // Over its base, until an arm carries it.
+    fixtures_.back().X_WG_rest =
+        arm.X_WB * Eigen::Translation3d(0, 0, kAboveBase);
+  }
   Reset();
 }
 
@@ -101,6 +103,15 @@ void Hands::Move(const std::string& hand, const Isometry3d& X_WG,
   State& state = states_[IndexOf(hand)];
   state.X_WG_goal = X_WG;
   state.opening_goal = opening;
+}
+
+void Hands::Place(const std::string& hand, const Isometry3d& X_WG,
+                  double opening) {
+  const size_t index = IndexOf(hand);
+  State& state = states_[index];
+  state.X_WG = state.X_WG_goal = X_WG;
+  state.opening = state.opening_goal = opening;
+  Put(index, X_WG, opening);
 }
 
 void Hands::PlaceFingers(const std::string& hand, const std::string& grip) {
@@ -202,7 +213,9 @@ void Hands::Step(size_t index, double fraction, double duration) {
   if (state.part < 0) return;
   // The spring drags on what moves: the wrist pulls from ahead, so that the
   // part stays where the fingers are.
-  const double lead = 2 * 0.95 * fixtures_[index].time_constant / duration;
+  const int grip = fixtures_[index].grips[static_cast<size_t>(state.part)];
+  const double lead = 2 * model_.eq_solimp[mjNIMP * grip] *
+                      model_.eq_solref[mjNREF * grip] / duration;
   Isometry3d X_WL = X_WG;
   X_WL.translation() +=
       lead * (state.X_WG_goal.translation() - state.X_WG.translation());

@@ -43,6 +43,9 @@ class Hands {
   /// At rest and open.
   void Reset();
 
+  /// Puts an empty hand there at once.
+  void Place(const std::string& hand, const Eigen::Isometry3d& X_WG,
+             double opening);
   /// Moves the hand evenly there within the next call of World::Run().
   void Move(const std::string& hand, const Eigen::Isometry3d& X_WG,
             double opening);
@@ -81,10 +84,9 @@ class Hands {
     const HandType* type;
     Eigen::Isometry3d X_WG_rest = Eigen::Isometry3d::Identity();
     bool is_person = false;
-    int mocap = 0;             // of the wrist; the boxes follow it
-    std::vector<int> grips;    // equality of each part; -1: none
-    double time_constant = 0;  // [s] of the grip's spring
-    Wrench sum;                // over the steps of a Run()
+    int mocap = 0;           // of the wrist; the boxes follow it
+    std::vector<int> grips;  // equality of each part; -1: none
+    Wrench sum;              // over the steps of a Run()
     int num_steps = 0;
   };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <stdexcept>
@@ -15,7 +16,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr size_t kMaxClasses = 30;
-constexpr char kHandClass[] = "hand";
+constexpr double kHandImpedance = 0.95;
 
 std::string Text(const Vector3d& v) {
   return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
@@ -73,10 +74,14 @@ class Writer {
     for (const Part& part : table_.parts()) WritePart(part);
     for (const auto& hand : layout_.AllHands()) WriteHand(hand);
     for (const CellLayout::Hand& hand : layout_.hands) {
-      WriteGrips(hand.name, params_.grip_time_constant);
+      for (const Part& part : table_.parts()) {
+        WriteGrip(hand.name, part, params_.grip_time_constant, kHandImpedance);
+      }
     }
     for (const ArmLayout& arm : layout_.arms) {
-      WriteGrips(arm.gripper, std::max(0.004, 2 * params_.dt));
+      for (const Part& part : table_.parts()) {
+        WriteGripperGrip(arm.gripper, part);
+      }
     }
     WriteThreads();
     return fmt::format(
@@ -176,14 +181,27 @@ class Writer {
            name, Text(box.half_extents), ContactMasks::OfADetector());
   }
 
-  void WriteGrips(const std::string& hand, double time_constant) {
-    for (const Part& part : table_.parts()) {
-      if (part.is_fixed) continue;
-      Append(equalities_,
-             "<weld name='{}' body1='{}{}' body2='{}' active='false'"
-             " solref='{:.17g} 1' solimp='0.95 0.95 0.001'/>\n",
-             GripName(hand, part.name), hand, kWrist, part.name, time_constant);
-    }
+  /// A weld of time constant t and impedance d is to a blocked body of mass m
+  /// a spring of m / (t^2 d (1 - d)) [N/m] that answers 2 d t [s] ahead. Every
+  /// part meets the same spring in a gripper.
+  void WriteGripperGrip(const std::string& gripper, const Part& part) {
+    const double mass = part.density * MomentsOf(part.pieces).volume;
+    const double lead = params_.gripper_lead;
+    const double ratio = params_.gripper_stiffness * lead * lead / (4 * mass);
+    const double impedance = ratio / (1 + ratio);
+    const double time_constant = lead / (2 * impedance);
+    WriteGrip(gripper, part, std::max(time_constant, 2 * params_.dt),
+              impedance);
+  }
+
+  void WriteGrip(const std::string& hand, const Part& part,
+                 double time_constant, double impedance) {
+    if (part.is_fixed) return;
+    Append(equalities_,
+           "<weld name='{}' body1='{}{}' body2='{}' active='false'"
+           " solref='{:.17g} 1' solimp='{:.17g} {:.17g} 0.001'/>\n",
+           GripName(hand, part.name), hand, kWrist, part.name, time_constant,
+           impedance, impedance);
   }
 
   void WriteThreads() {

@@ -13,6 +13,9 @@ struct PhysicsParams {
   double friction = 0.3;
   /// [s] of the spring that holds a part in a hand: a person's wrist gives way.
   double grip_time_constant = 0.02;
+  /// [N/m] of a gripper with its fingers and sensor, for what it holds.
+  double gripper_stiffness = 20e3;
+  double gripper_lead = 0.015;  ///< [s] damping of it, by its stiffness
 };
 
 /// Names in the model. A hand is the boxes of CellLayout and an invisible

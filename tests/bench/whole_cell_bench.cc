@@ -1,5 +1,5 @@
 // The whole cell beside bare mj_step on the same scene, in the same run.
-// Example: whole_cell_bench SCRATCH_DIR
+// Example: whole_cell_bench SCRATCH_DIR [DEPLOY_DIR]
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
@@ -58,13 +58,14 @@ double BareStepSeconds(const Roster& roster, const Deployment& deployment) {
 }
 
 // The clock's own account of a run over LCM, in the last line that it said.
-double LcmSeconds(const std::filesystem::path& run) {
+double LcmSeconds(const std::string& deploy, const std::filesystem::path& run) {
   const auto bin =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string command = fmt::format(
-      "{} demo --hash --seed {} --demonstration {} --out {} "
+      "{} demo --hash --seed {} --demonstration {} --out {}{} "
       "> /dev/null",
-      (bin / "cell").string(), kSeed, kScript, run.string());
+      (bin / "cell").string(), kSeed, kScript, run.string(),
+      deploy.empty() ? "" : " --deploy " + deploy);
   if (std::system(command.c_str()) != 0) {
     throw std::runtime_error("cell demo failed; see " + run.string());
   }
@@ -86,8 +87,8 @@ void Print(const char* what, double wall_s, double sim_s, double bare_s) {
       what, wall_s, sim_s / wall_s, bare_s / wall_s);
 }
 
-int Main(const std::filesystem::path& scratch) {
-  const CellFiles files = FindCellFiles("");
+int Main(const std::filesystem::path& scratch, const std::string& deploy) {
+  const CellFiles files = FindCellFiles(deploy);
   const double bare_s = BareStepSeconds(files.roster, files.deployment);
   Roster alone = files.roster;
   alone.entries.resize(1);
@@ -96,7 +97,7 @@ int Main(const std::filesystem::path& scratch) {
   recorded.run_dir = scratch / "sim";
   std::filesystem::create_directories(recorded.run_dir);
   const Timing sim = Run(files.roster, recorded);
-  const double lcm_s = LcmSeconds(scratch / "lcm");
+  const double lcm_s = LcmSeconds(deploy, scratch / "lcm");
   Print("bare mj_step", bare_s, world.sim_s, bare_s);
   Print("vtb alone, one process", world.wall_s, world.sim_s, bare_s);
   Print("whole cell, one process", sim.wall_s, sim.sim_s, bare_s);
@@ -110,12 +111,12 @@ int Main(const std::filesystem::path& scratch) {
 }  // namespace cell
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: whole_cell_bench SCRATCH_DIR\n";
+  if (argc != 2 && argc != 3) {
+    std::cerr << "usage: whole_cell_bench SCRATCH_DIR [DEPLOY_DIR]\n";
     return 2;
   }
   try {
-    return cell::Main(argv[1]);
+    return cell::Main(argv[1], argc == 3 ? argv[2] : "");
   } catch (const std::exception& e) {
     std::cerr << "whole_cell_bench: " << e.what() << std::endl;
     return 1;
