@@ -52,34 +52,63 @@ CellFiles FindCellFiles(const std::string& deploy_dir) {
       "; name it with --deploy DIR");
 }
 
-int RunService(const std::string& name, int argc, char** argv,
-               const ServiceMaker& maker) {
-  CLI::App app("Runs the cell's service " + name + " in lockstep over LCM.\n" +
-               "Example: " + name + " --url udpm://239.255.76.67:7667");
+ServiceName ServiceName::Parse(const std::string& name) {
+  const size_t at = name.find('@');
+  if (at == std::string::npos) return {name, ""};
+  return {name.substr(0, at), name.substr(at + 1)};
+}
+
+namespace {
+
+int Run(const std::string& program, bool has_instances, int argc, char** argv,
+        const InstanceMaker& maker) {
+  const std::string of_which = has_instances ? " --instance left" : "";
+  CLI::App app("Runs the cell's service " + program +
+               " in lockstep over LCM.\nExample: " + program + of_which +
+               " --url udpm://239.255.76.67:7667");
   std::string url = "udpm://239.255.76.67:7667";
-  std::string deploy_dir;
+  std::string deploy_dir, run_dir, instance;
   app.add_option("--url", url, "LCM address of the cell; control port: +1")
       ->capture_default_str();
   app.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
-  std::string run_dir;
   app.add_option("--run-dir", run_dir, "folder in which the run is recorded");
+  if (has_instances) {
+    app.add_option("--instance", instance, "which of them, as in the roster")
+        ->required();
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
+  const std::string name = has_instances ? program + "@" + instance : program;
   try {
     CellFiles files = FindCellFiles(deploy_dir);
     files.deployment.run_dir = run_dir;
     RunLcmNode(
         LcmAddress::Parse(url), files.roster, name,
-        [&](Bus& bus) { return maker(bus, files.deployment); },
+        [&](Bus& bus) { return maker(bus, files.deployment, instance); },
         StopOnSignals());
     return 0;
   } catch (const std::exception& e) {
     std::cerr << name << ": " << e.what() << std::endl;
     return 1;
   }
+}
+
+}  // namespace
+
+int RunService(const std::string& name, int argc, char** argv,
+               const ServiceMaker& maker) {
+  return Run(name, false, argc, argv,
+             [&](Bus& bus, const Deployment& deployment, const std::string&) {
+               return maker(bus, deployment);
+             });
+}
+
+int RunInstance(const std::string& name, int argc, char** argv,
+                const InstanceMaker& maker) {
+  return Run(name, true, argc, argv, maker);
 }
 
 }  // namespace cell

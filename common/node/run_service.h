@@ -16,12 +16,27 @@ namespace cell {
 using ServiceMaker =
     std::function<std::unique_ptr<Service>(Bus&, const Deployment&)>;
 
+/// The same of a service that a cell has several of: "robot_arm@left" is the
+/// instance "left" of robot_arm.
+using InstanceMaker = std::function<std::unique_ptr<Service>(
+    Bus&, const Deployment&, const std::string& instance)>;
+
 /// The whole of a service's main(): arguments (--help lists them), roster and
 /// configuration, the bus in lockstep over LCM, until the clock's last tick or
 /// SIGINT or SIGTERM.
 /// @return 0 stopped, 1 failure, 2 usage.
 int RunService(const std::string& name, int argc, char** argv,
                const ServiceMaker& maker);
+/// Takes the instance from --instance.
+int RunInstance(const std::string& name, int argc, char** argv,
+                const InstanceMaker& maker);
+
+/// "robot_arm" and "left" of "robot_arm@left"; no instance: empty.
+struct ServiceName {
+  std::string program;
+  std::string instance;
+  static ServiceName Parse(const std::string& name);
+};
 
 /// The files of a cell and who takes part in it.
 struct CellFiles {

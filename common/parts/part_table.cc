@@ -86,7 +86,14 @@ Part PartFromConfig(const Config& config, const std::string& name) {
     part.sites.push_back(SiteFromConfig(site, name));
   }
   for (const Config& grasp : config.ItemsOf("grasps")) {
-    part.grasps.push_back({Pose(grasp), Length(grasp, "width")});
+    Grasp& added = part.grasps.emplace_back();
+    added.X_OG = Pose(grasp);
+    added.width = Length(grasp, "width");
+    if (!grasp.Has("grips")) continue;
+    added.grips.clear();
+    for (const Config& grip : grasp.ItemsOf("grips")) {
+      added.grips.push_back(grip.As<std::string>());
+    }
   }
   return part;
 }

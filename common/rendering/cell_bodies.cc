@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "common/arms/arm_bodies.h"
+
 namespace cell {
 namespace {
 
@@ -30,6 +32,7 @@ std::vector<RenderBody> BodiesOf(const PartTable& parts,
     add_hand(hand.name, hand.type, kHandColour);
   }
   for (const ArmLayout& arm : layout.arms) {
+    for (const Part& link : ArmLinks(arm)) bodies.push_back(BodyOf(link));
     add_hand(arm.gripper, arm.hand, kGripperColour);
   }
   bodies.push_back(PlaneBody("table", kHalfTable, kTableColour));

@@ -130,7 +130,11 @@ class Demo {
                          {"--demonstration", run_.demonstration});
       }
     }
-    processes_.Start(name, bin / name, arguments, LogOf(name));
+    const auto [program, instance] = ServiceName::Parse(name);
+    if (!instance.empty()) {
+      arguments.insert(arguments.end(), {"--instance", instance});
+    }
+    processes_.Start(name, bin / program, arguments, LogOf(name));
   }
 
   std::filesystem::path LogOf(const std::string& name) const {

@@ -14,7 +14,7 @@ namespace cell {
 struct Viewpoint {
   double azimuth_deg = -62;   ///< of the camera about z of W, from x
   double elevation_deg = 38;  ///< above the table
-  double distance = 1.15;     ///< [m] from what it looks at
+  double distance = 1.75;     ///< [m] from what it looks at
   std::array<double, 3> target = {0.03, -0.12, 0.10};  ///< [m] in W
   int width = 1280;
   int height = 960;

@@ -1,10 +1,12 @@
 #include "services/cell/service_registry.h"
 
+#include "common/layout/cell_layout.h"
 #include "common/node/run_service.h"
 #include "services/planner/planner.h"
 #include "services/predicate_estimator/predicate_estimator.h"
 #include "services/recognizer/recognizer.h"
 #include "services/recorder/recorder.h"
+#include "services/robot_arm/robot_arm.h"
 #include "services/sec_builder/sec_builder.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
@@ -19,7 +21,7 @@ std::map<std::string, ServiceFactory> AllServices(
       return maker(bus, deployment);
     };
   };
-  return {
+  std::map<std::string, ServiceFactory> factories = {
       {"vtb",
        [=](Bus& bus) {
          return MakeVtb(bus, deployment, demonstration, seed);
@@ -31,6 +33,15 @@ std::map<std::string, ServiceFactory> AllServices(
       {"planner", of(MakePlanner)},
       {"recorder", of(MakeRecorder)},
   };
+  const CellLayout layout =
+      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  for (const ArmLayout& arm : layout.arms) {
+    factories["robot_arm@" + arm.name] = [deployment,
+                                          name = arm.name](Bus& bus) {
+      return MakeRobotArm(bus, deployment, name);
+    };
+  }
+  return factories;
 }
 
 }  // namespace cell

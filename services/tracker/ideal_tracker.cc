@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "services/tracker/box_surface.h"
+#include "common/geometry/box_surface.h"
 
 namespace cell {
 

@@ -44,9 +44,9 @@ std::optional<std::string> Deeds::SeatOf(const std::string& name,
       const Eigen::Isometry3d X_SO =
           (world.PoseOf(host.name) * site.X_HS).inverse() * X_WO;
       const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
-      if (std::abs(X_SO.translation().z()) < kSeatSlack * rule->max_height &&
-          X_SO.translation().head<2>().norm() < kSeatSlack * rule->max_offset &&
-          tilt < kSeatSlack * rule->max_tilt) {
+      if (std::abs(X_SO.translation().z()) < kSeatSlack * rule->seated.z &&
+          X_SO.translation().head<2>().norm() < kSeatSlack * rule->seated.xy &&
+          tilt < kSeatSlack * rule->seated.tilt) {
         return site.name;
       }
     }

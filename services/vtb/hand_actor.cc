@@ -170,9 +170,9 @@ bool HandActor::IsSeated(const Order& order, const World& world) const {
   }
   const Isometry3d X_SO =
       PoseOfSite(order.target.site, world).inverse() * world.PoseOf(order.part);
-  return std::abs(X_SO.translation().z()) < rule->max_height &&
-         X_SO.translation().head<2>().norm() < rule->max_offset &&
-         TiltOf(X_SO.linear()) < rule->max_tilt;
+  return std::abs(X_SO.translation().z()) < rule->seated.z &&
+         X_SO.translation().head<2>().norm() < rule->seated.xy &&
+         TiltOf(X_SO.linear()) < rule->seated.tilt;
 }
 
 void HandActor::Update(double dt, World& world, const Tabletop& tabletop,

@@ -1,14 +1,12 @@
 #include "services/vtb/script.h"
 
 #include <algorithm>
-#include <numbers>
 #include <set>
 
 namespace cell {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kDeg = std::numbers::pi / 180;
 
 std::vector<std::string> NamesOf(const Config& config, const std::string& key) {
   std::vector<std::string> names;
@@ -79,17 +77,21 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
     rule.aim = kMm * Eigen::Vector3d(aim[0], aim[1], aim[2]);
   }
   rule.press = kMm * config.Number("press_mm", 0, 50);
-  const Config seated = config["seated"];
-  rule.max_height = kMm * seated.Number("height_mm", 0, 50);
-  rule.max_offset = kMm * seated.Number("offset_mm", 0, 50);
-  rule.max_tilt = kDeg * seated.Number("tilt_deg", 0, 90);
+  rule.seated = SeatTolerance::FromConfig(config["seated"]);
   return rule;
 }
 
 Script ScriptFromConfig(const Config& config, const std::string& name) {
   Script script;
   script.name = name;
-  script.num_hands = config.Integer("hands", 1, 2);
+  script.agent = config.GetOr<std::string>("agent", script.agent);
+  if (script.agent != "person" && script.agent != "robot") {
+    config["agent"].Fail("'" + script.agent + "' is neither person nor robot");
+  }
+  if (config.Has("max_duration_s")) {
+    script.max_duration = config.Number("max_duration_s", 1, 86400);
+  }
+  script.num_hands = config.Integer("hands", 0, 2);
   script.place = NamesOf(config, "place");
   if (config.Has("take_backs")) {
     const Config take_backs = config["take_backs"];

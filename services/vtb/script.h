@@ -9,6 +9,7 @@
 #include "common/config/config.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
+#include "common/sec/seat.h"
 #include "services/vtb/hand_path.h"
 
 namespace cell {
@@ -20,10 +21,8 @@ struct PlacementRule {
   std::string site_type;
   std::vector<std::string> after;  ///< rules whose parts must be in place
   Eigen::Vector3d aim = Eigen::Vector3d::Zero();  ///< [m] off the site, in S
-  double press = 0;  ///< [m] beyond the seat that the hand presses to
-  /// A part is seated within these of its site.
-  double max_height = 0, max_offset = 0;  ///< [m]
-  double max_tilt = 0;                    ///< [rad]
+  double press = 0;      ///< [m] beyond the seat that the hand presses to
+  SeatTolerance seated;  ///< a part is seated within these of its site
 };
 
 struct CountRange {
@@ -33,7 +32,9 @@ struct CountRange {
 /// What a scripted person does; demonstrators.yaml of a task.
 struct Script {
   std::string name;
-  int num_hands = 1;
+  std::string agent = "person";    ///< who is to reach the goal, or "robot"
+  double max_duration = 1800;      ///< [s] the episode ends then anyway
+  int num_hands = 1;               ///< of the person
   std::vector<std::string> place;  ///< rules, in any valid order
   CountRange take_backs;           ///< placed parts put back on the table ...
   std::vector<std::string> take_back_of;  ///< ... of these rules

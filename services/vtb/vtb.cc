@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -36,6 +38,29 @@ int StepsPerTick(double dt) {
   return static_cast<int>(rounded);
 }
 
+/// "a+b" is a, then b.
+std::vector<std::string> SplitAtPlus(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, '+');) {
+    names.push_back(name);
+  }
+  if (names.empty()) names.emplace_back();
+  return names;
+}
+
+void LoadArms(const Config& config, ArmDevice::Params* params) {
+  ArmServo::Params& servo = params->servo;
+  servo.bandwidth = config.Number("bandwidth_hz", 1, 60);
+  servo.dead_ticks = config.Integer("dead_ticks", 0, 20);
+  servo.patience_ticks = config.Integer("patience_ticks", 1, 50);
+  servo.stop_force = config.Number("stop_force_n", 10, 1000);
+  params->gripper.speed = 1e-3 * config.Number("finger_speed_mm", 1, 1000);
+  const std::vector<double> bias = config.Numbers("sensor_bias", 6);
+  params->bias.force = Eigen::Vector3d(bias[0], bias[1], bias[2]);
+  params->bias.torque = Eigen::Vector3d(bias[3], bias[4], bias[5]);
+}
+
 }  // namespace
 
 Vtb::Vtb(Bus& bus, const Params& params)
@@ -43,9 +68,17 @@ Vtb::Vtb(Bus& bus, const Params& params)
       params_(params),
       steps_per_tick_(StepsPerTick(params.physics.dt)),
       world_(params.parts, params.layout, params.physics),
-      book_(std::make_shared<DemonstratorBook>(params.book)) {
-  Prepare(params.first);
-  next_ = {kFirstTick, params.first};
+      book_(std::make_shared<DemonstratorBook>(params.book)),
+      shapes_(ShapesOf(params.parts)) {
+  for (const ArmLayout& arm : params_.layout.arms) {
+    arms_.push_back(
+        std::make_unique<ArmDevice>(bus, arm, shapes_, params_.arms));
+  }
+  Prepare(params_.episodes.at(0));
+  next_ = {kFirstTick, params_.episodes[0]};
+  num_begun_ = 1;
+  bus_.Subscribe<execution_t>(
+      "EXECUTION", [this](const execution_t& m) { return OnExecution(m); });
   bus_.Subscribe<command_episode_t>(
       "COMMAND_EPISODE",
       [this](const command_episode_t& m) { return OnCommand(m); });
@@ -55,7 +88,10 @@ Vtb::Vtb(Bus& bus, const Params& params)
 void Vtb::Prepare(const Request& request) {
   demonstrator_.emplace(book_, request.demonstration, request.seed, world_);
   deeds_.emplace(book_);
+  for (const auto& arm : arms_) arm->Reset(world_);
   request_ = request;
+  script_ = &book_->scripts.at(request.demonstration);
+  is_robot_done_ = false;
   num_still_ = 0;
 }
 
@@ -79,6 +115,12 @@ bool Vtb::OnCommand(const command_episode_t& message) {
   }
 }
 
+bool Vtb::OnExecution(const execution_t& message) {
+  is_robot_done_ = message.state != execution_t::RUNNING;
+  return message.state >= execution_t::RUNNING &&
+         message.state <= execution_t::STUCK;
+}
+
 void Vtb::OnTick() {
   if (bus_.tick() < kFirstTick) return;
   if (next_ && bus_.tick() >= next_->tick) {
@@ -86,20 +128,32 @@ void Vtb::OnTick() {
     next_.reset();
     ++episode_;
     is_running_ = true;
+    start_tick_ = bus_.tick();
     PublishEpisode(episode_t::START);
   }
   demonstrator_->Update(kTick, world_);
+  for (const auto& arm : arms_) arm->Update(kTick, world_);
   world_.Run(steps_per_tick_);
+  for (const auto& arm : arms_) arm->Publish(world_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
   if (is_running_) PublishDeeds();
   if (is_running_ && bus_.tick() % kRunningPeriod == 0) {
     PublishEpisode(episode_t::RUNNING);
   }
-  if (is_running_ && IsAtRest()) End();
+  if (is_running_ && IsOver()) EndOrGoOn();
 }
 
-bool Vtb::IsAtRest() {
-  if (!demonstrator_->is_done()) {
+bool Vtb::HasAgentFinished() const {
+  if (!demonstrator_->is_done()) return false;
+  if (script_->agent == "person") return true;
+  return is_robot_done_ && std::ranges::all_of(arms_, [](const auto& arm) {
+           return arm->IsAtRest();
+         });
+}
+
+bool Vtb::IsOver() {
+  if ((bus_.tick() - start_tick_) * kTick > script_->max_duration) return true;
+  if (!HasAgentFinished()) {
     num_still_ = 0;
     return false;
   }
@@ -110,6 +164,13 @@ bool Vtb::IsAtRest() {
     if (world_.SpeedOf(part.name) > kStill) return false;
   }
   return true;
+}
+
+void Vtb::EndOrGoOn() {
+  End();
+  if (num_begun_ >= params_.episodes.size()) return;
+  next_ = {bus_.tick() + kGapTicks, params_.episodes[num_begun_++]};
+  bus_.EndRunIn(kForeverTicks - bus_.tick());
 }
 
 void Vtb::End() {
@@ -125,6 +186,7 @@ void Vtb::PublishEpisode(int8_t phase) {
   message.phase = phase;
   message.task = params_.task;
   message.goal = book_->goal;
+  message.agent = script_->agent;
   message.demonstration = request_.demonstration;
   message.seed = static_cast<int64_t>(request_.seed);
   bus_.Publish("EPISODE", message);
@@ -133,9 +195,11 @@ void Vtb::PublishEpisode(int8_t phase) {
 void Vtb::PublishTruth() {
   truth_poses_t poses{};
   poses.header.utime = bus_.now();
-  for (const BodyPose& body : world_.Bodies()) {
+  const auto add = [&](const BodyPose& body) {
     poses.bodies.push_back({body.name, PoseToMessage(body.X_WB)});
-  }
+  };
+  std::ranges::for_each(world_.Bodies(), add);
+  for (const auto& arm : arms_) std::ranges::for_each(arm->Bodies(), add);
   poses.num_bodies = static_cast<int32_t>(poses.bodies.size());
   bus_.Publish("TRUTH_POSES", poses);
 
@@ -188,11 +252,17 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   params.physics.grip_time_constant =
       1e-3 * config.Number("grip_time_constant_ms", 2, 200);
   params.truth_period_ticks = config.Integer("truth_period_ticks", 1, 1250);
+  LoadArms(config["arms"], &params.arms);
   const auto configured = config.Get<std::string>("demonstration");
-  if (!params.book.scripts.contains(configured)) {
-    config["demonstration"].Fail("no script is named '" + configured + "'");
+  for (const std::string& name : SplitAtPlus(configured)) {
+    if (params.book.scripts.contains(name)) continue;
+    config["demonstration"].Fail("no script is named '" + name + "'");
   }
-  params.first = {demonstration.empty() ? configured : demonstration, seed};
+  // Every episode has its own chance.
+  for (const std::string& name :
+       SplitAtPlus(demonstration.empty() ? configured : demonstration)) {
+    params.episodes.push_back({name, seed + params.episodes.size()});
+  }
   config.Finish();
   return std::make_unique<Vtb>(bus, params);
 }

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "cell/command_episode_t.hpp"
+#include "cell/execution_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
+#include "services/vtb/arm_device.h"
 #include "services/vtb/deeds.h"
 #include "services/vtb/demonstrator.h"
 #include "services/vtb/script.h"
@@ -15,12 +17,13 @@
 
 namespace cell {
 
-/// The virtual testbed (section IV): owner of time. Steps the world and the
-/// scripted person each tick, tells where everything is and what touches, and
-/// begins and ends episodes, on its own or at an operator's command.
+/// The virtual testbed (section IV): owner of time. Steps the world, the arms
+/// and the scripted person each tick, tells where everything is and what
+/// touches, and begins and ends episodes, on its own or at an operator's
+/// command.
 class Vtb : public Service {
  public:
-  /// What a person shows.
+  /// An episode.
   struct Request {
     std::string demonstration;  ///< script of the book
     uint64_t seed = 0;
@@ -31,7 +34,8 @@ class Vtb : public Service {
     CellLayout layout;
     DemonstratorBook book;
     PhysicsParams physics;
-    Request first;                   ///< begins at tick 1
+    ArmDevice::Params arms;
+    std::vector<Request> episodes;   ///< the first begins at tick 1
     int32_t truth_period_ticks = 4;  ///< of TRUTH_*
   };
 
@@ -46,26 +50,35 @@ class Vtb : public Service {
   };
 
   bool OnCommand(const command_episode_t& message);
+  bool OnExecution(const execution_t& message);
   void OnTick();
   void Prepare(const Request& request);
+  void EndOrGoOn();
   void PublishEpisode(int8_t phase);
   void PublishTruth();
   void PublishDeeds();
   void End();
-  bool IsAtRest();
+  bool IsOver();
+  bool HasAgentFinished() const;
 
   Bus& bus_;
   Params params_;
   int steps_per_tick_;
   World world_;
   std::shared_ptr<const DemonstratorBook> book_;
-  Request request_;  // of the episode that runs, or ran last
+  std::vector<PartShape> shapes_;
+  std::vector<std::unique_ptr<ArmDevice>> arms_;
+  Request request_;                 // of the episode that runs, or ran last
+  const Script* script_ = nullptr;  // of it
+  size_t num_begun_ = 0;            // of the episodes that were planned
   std::optional<Demonstrator> demonstrator_;
   std::optional<Deeds> deeds_;  // of the episode
   std::optional<Appointment> next_;
   bool is_running_ = false;
-  int64_t episode_ = 0;    // counts from 1
-  int32_t num_still_ = 0;  // ticks since the person was done
+  int64_t episode_ = 0;         // counts from 1
+  bool is_robot_done_ = false;  // or asks a question
+  int32_t start_tick_ = 0;      // of the episode
+  int32_t num_still_ = 0;       // ticks since all were done
 };
 
 /// By deploy/config/vtb.yaml and the task's files; `demonstration` names the

@@ -4,8 +4,8 @@
 
 #include <random>
 
+#include "common/geometry/box_surface.h"
 #include "common/geometry/convex_solid.h"
-#include "services/tracker/box_surface.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {

@@ -1,4 +1,4 @@
-#include "services/tracker/box_surface.h"
+#include "common/geometry/box_surface.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/arms/arm_scene.h"
+#include "common/arms/joint_trajectory.h"
+#include "common/arms/reach.h"
+#include "common/layout/cell_layout.h"
+#include "common/parts/part_table.h"
+#include "services/robot_arm/skill_settings.h"
+
+namespace cell {
+
+/// A part in the gripper.
+struct HeldPart {
+  std::string part;
+  Eigen::Isometry3d X_GO = Eigen::Isometry3d::Identity();
+  std::string grip;
+  double width = 0;  ///< [m] between the fingers
+};
+
+/// A result, or in plain words why there is none.
+template <class T>
+using OrReason = std::variant<T, std::string>;
+
+/// Answers where an arm can go, in the scene as it is (section VIII-A).
+class ArmPlanner {
+ public:
+  struct Params {
+    std::string arm;
+    CellLayout layout;
+    PartTable parts;
+    SkillSettings settings;
+  };
+  explicit ArmPlanner(const Params& params);
+
+  /// The scene from now on.
+  void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses) {
+    scene_.SetParts(poses);
+  }
+  void SetOther(const std::string& arm, const ArmPosture& posture) {
+    scene_.SetOther(arm, posture);
+  }
+  void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
+
+  /// With a goal: so that the part can also be placed there.
+  OrReason<Pick> PlanPick(const std::string& part,
+                          const std::optional<PlaceGoal>& goal,
+                          const Joints& q) const;
+  /// Of what is held.
+  OrReason<Place> PlanPlace(const PlaceGoal& goal, const Joints& q) const;
+  OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
+                                        double opening,
+                                        const std::string& grip) const;
+  /// A free pose on the table that it can put what it holds to.
+  OrReason<PlaceGoal> FindFreePlace(const Joints& q) const;
+  /// What is held, upright on the table at X_WT.
+  OrReason<PlaceGoal> Upright(const std::string& part,
+                              const Eigen::Isometry3d& X_WT) const;
+  /// True if something is nearer than the clearance.
+  bool IsNearSomething(const Joints& q) const;
+
+  /// Parts that it could take where they lie, sorted: as of the last refresh,
+  /// which looks at one part that has moved.
+  const std::vector<std::string>& reachable() const { return reachable_; }
+  void RefreshReachable();
+
+ private:
+  std::optional<ArmScene::Held> Held() const;
+  bool IsFree(const PlaceGoal& goal) const;
+
+  Params params_;
+  const ArmLayout& arm_;
+  ArmScene scene_;
+  Reach reach_;
+  std::optional<HeldPart> held_;
+  std::map<std::string, double> bottoms_;  // z in O of each part's lowest point
+  std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
+  std::vector<std::string> reachable_;
+};
+
+}  // namespace cell

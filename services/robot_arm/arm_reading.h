@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+#include "common/layout/arm_layout.h"
+
+namespace cell {
+
+/// What an arm's servos, gripper and sensor say in a tick.
+struct ArmReading {
+  Joints q = Joints::Zero();   ///< [rad]
+  Joints dq = Joints::Zero();  ///< [rad/s]
+  double opening = 0;          ///< [m]
+  bool is_gripping = false;
+  bool is_stopped = false;  ///< protective stop
+  /// In S, as read: with bias and weights. Nothing: no sensor, or it is silent.
+  struct SensedWrench {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+    Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< [N m]
+  };
+  std::optional<SensedWrench> wrench;
+};
+
+/// What an arm shall do in the next tick.
+struct ArmCommand {
+  Joints q = Joints::Zero();
+  double opening = 0;
+  std::string grip;
+};
+
+}  // namespace cell

@@ -1,0 +1,408 @@
+#include "services/robot_arm/arm_worker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Translation3d;
+using Eigen::Vector3d;
+
+constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
+constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
+constexpr double kTableGap = 0.0005;  // [m] above the table, before letting go
+constexpr double kHeldWithin = 0.15;  // [m] of G: what the fingers hold
+
+constexpr char kHolds[] = "the cell holds";
+constexpr char kLetGo[] = "let go";
+
+}  // namespace
+
+ArmWorker::ArmWorker(const Params& params)
+    : params_(params),
+      kinematics_(*params_.layout.FindArm(params_.arm)),
+      sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
+      planner_(params_) {}
+
+void ArmWorker::See(const std::map<std::string, Isometry3d>& poses) {
+  poses_ = poses;
+  planner_.SetParts(poses_);
+}
+
+void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture) {
+  planner_.SetOther(arm, posture);
+}
+
+std::vector<std::string> ArmWorker::Reachable() const {
+  return planner_.reachable();
+}
+
+// ---- one skill at a time
+
+void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
+  const auto refuse = [&](const std::string& reason) {
+    result_ = SkillResult{request.id, SkillResult::Outcome::kRefused, reason};
+  };
+  if (request_) return refuse("it is busy: " + phase_);
+  if (leave != Leave::kMove) return refuse(kHolds);
+  if (!command_) return refuse("the arm's device is silent");
+  const auto problem = WhyNot(request);
+  if (problem) return refuse(*problem);
+  request_ = request;
+  peak_force_ = 0;
+  has_moved_ = false;
+  failure_.clear();
+  if (is_near_) PlanDrawBack();
+  switch (request.kind) {
+    case SkillRequest::Kind::kInsert:
+      return PlanInsert();
+    case SkillRequest::Kind::kPresent:
+      return PlanPresent();
+    case SkillRequest::Kind::kPutDown:
+      return PlanPutDown();
+    case SkillRequest::Kind::kFetch:
+      return PlanTake({});
+    case SkillRequest::Kind::kGoHome:
+      return PlanGoHome();
+  }
+}
+
+std::optional<std::string> ArmWorker::WhyNot(
+    const SkillRequest& request) const {
+  if (request.kind == SkillRequest::Kind::kGoHome) return std::nullopt;
+  if (params_.parts.Find(request.part) == nullptr) {
+    return "there is no part '" + request.part + "'";
+  }
+  if (held_ && held_->part != request.part) return "it holds " + held_->part;
+  if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
+  if (!poses_.contains(request.part)) {
+    return "nobody knows where " + request.part + " is";
+  }
+  if (request.kind != SkillRequest::Kind::kInsert) return std::nullopt;
+  const Site* site = params_.parts.FindSite(request.site);
+  if (site == nullptr) return "there is no site '" + request.site + "'";
+  if (!params_.layout.FindArm(params_.arm)->X_FS) {
+    return "it has no force-torque sensor";
+  }
+  if (!poses_.contains(site->host)) {
+    return "nobody knows where " + site->host + " is";
+  }
+  return std::nullopt;
+}
+
+ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
+  reading_ = reading;
+  if (!command_) {
+    command_ = ArmCommand{reading.q, reading.opening, ""};
+    is_near_ = planner_.IsNearSomething(reading.q);
+  }
+  if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
+  KnowHeld();
+  planner_.RefreshReachable();
+  if (reading.is_stopped && request_) {
+    End(SkillResult::Outcome::kStopped,
+        "protective stop: the force has grown too high");
+  }
+  if (reading.is_stopped) command_->q = reading.q;
+  is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
+  rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
+  if (request_) Advance(rate_ * dt);
+  return *command_;
+}
+
+void ArmWorker::Advance(double dt) {
+  if (!stage_ && !BeginNext()) return;
+  switch (stage_->Step(reading_, dt, &*command_)) {
+    case SkillStage::State::kRunning:
+      has_moved_ |= dt > 0;
+      return;
+    case SkillStage::State::kFailed:
+      return OnFailure(stage_->reason());
+    case SkillStage::State::kDone:
+      stage_.reset();
+      FinishFirst();
+  }
+}
+
+/// Makes the next stage; false if there is none to be run in this tick.
+bool ArmWorker::BeginNext() {
+  while (!todos_.empty()) {
+    phase_ = todos_.front().phase;
+    Todo::Made made = todos_.front().make();
+    if (auto* reason = std::get_if<std::string>(&made)) {
+      OnFailure(*reason);
+      return false;
+    }
+    stage_ = std::move(std::get<std::unique_ptr<SkillStage>>(made));
+    if (stage_) return true;
+    FinishFirst();
+  }
+  using Outcome = SkillResult::Outcome;
+  End(failure_.empty() ? Outcome::kSucceeded : Outcome::kFailed, failure_);
+  return false;
+}
+
+void ArmWorker::FinishFirst() {
+  const auto then = std::move(todos_.front().then);
+  todos_.pop_front();
+  if (then) then();
+}
+
+/// Draws back from what is near, then the skill has failed.
+void ArmWorker::OnFailure(const std::string& reason) {
+  stage_.reset();
+  todos_.clear();
+  if (!has_moved_) return End(SkillResult::Outcome::kRefused, reason);
+  if (!failure_.empty()) {
+    return End(SkillResult::Outcome::kFailed,
+               fmt::format("{}; and then: {}", failure_, reason));
+  }
+  failure_ = reason;
+  if (!is_near_) return;
+  if (!held_ && !reading_.is_gripping) {
+    const double open = command_->opening + 2 * kLetGoMargin;
+    Add("open", [=, this] { return Fingers(open, Until::kThere); });
+  }
+  PlanDrawBack();
+}
+
+void ArmWorker::End(SkillResult::Outcome outcome, const std::string& reason) {
+  result_ = SkillResult{request_->id, outcome, reason, peak_force_};
+  request_.reset();
+  todos_.clear();
+  stage_.reset();
+  phase_.clear();
+}
+
+std::optional<SkillResult> ArmWorker::TakeResult() {
+  return std::exchange(result_, std::nullopt);
+}
+
+// ---- skills as stages
+
+void ArmWorker::Add(const std::string& phase, std::function<Todo::Made()> make,
+                    std::function<void()> then) {
+  todos_.push_back({phase, std::move(make), std::move(then)});
+}
+
+void ArmWorker::PlanInsert() {
+  const auto goal = [this] {
+    return GoalAtSite();
+  };
+  if (!held_) PlanTake(goal);
+  PlanCarry(goal);
+  Add("tare", [this]() -> Todo::Made {
+    is_near_ = true;
+    return std::make_unique<Tare>(sensor_);
+  });
+  Add("seat", [this]() -> Todo::Made {
+    const Site& site = *params_.parts.FindSite(request_->site);
+    return std::make_unique<Insert>(
+        kinematics_, FramesAtSite(),
+        params_.settings.seatings.at(site.type).insertion, sensor_,
+        &peak_force_);
+  });
+  const Site& site = *params_.parts.FindSite(request_->site);
+  if (const Thread* thread = params_.parts.FindThread(site.type)) {
+    Add("turn", [this, pitch = thread->pitch]() -> Todo::Made {
+      Turning::Params params = params_.settings.turning;
+      params.pitch = pitch;
+      return std::make_unique<Turn>(kinematics_, FramesAtSite(), params,
+                                    sensor_);
+    });
+  }
+  PlanLetGo();
+}
+
+/// Upright on the station, for the other arm.
+void ArmWorker::PlanPresent() {
+  const auto goal = [this] {
+    return GoalAtStation();
+  };
+  if (!held_) PlanTake(goal);
+  PlanSetDown(goal);
+}
+
+void ArmWorker::PlanPutDown() {
+  PlanSetDown([this]() -> OrReason<PlaceGoal> {
+    return planner_.FindFreePlace(command_->q);
+  });
+}
+
+void ArmWorker::PlanSetDown(const GoalMaker& goal) {
+  PlanCarry(goal);
+  Add("set down", [this]() -> Todo::Made {
+    is_near_ = true;
+    const Isometry3d X_WO =
+        Translation3d(0, 0, kTableGap) * goal_.X_WO * place_.X_turn;
+    return Line(X_WO * held_->X_GO.inverse());
+  });
+  PlanLetGo();
+  PlanGoHome();
+}
+
+void ArmWorker::PlanTake(const GoalMaker& goal) {
+  Add("plan the grasp", [this, goal]() -> Todo::Made {
+    std::optional<PlaceGoal> wanted;
+    if (goal) {
+      auto made = goal();
+      if (auto* reason = std::get_if<std::string>(&made)) return *reason;
+      wanted = std::get<PlaceGoal>(made);
+    }
+    planner_.SetHeld(std::nullopt);
+    auto planned = planner_.PlanPick(request_->part, wanted, command_->q);
+    if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
+    pick_ = std::get<Pick>(planned);
+    return std::unique_ptr<SkillStage>();
+  });
+  Add("open", [this] { return Fingers(pick_.opening, Until::kThere); });
+  Add("go to " + request_->part, [this] { return Transit(pick_.q_approach); });
+  Add("reach", [this] {
+    is_near_ = true;
+    return Line(poses_.at(request_->part) * pick_.X_OG);
+  });
+  Add(
+      "close",
+      [this] {
+        return Fingers(pick_.width - params_.settings.fingers.close_beyond,
+                       Until::kGripping);
+      },
+      [this] {
+        const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
+        Hold(request_->part, X_WG.inverse() * poses_.at(request_->part));
+      });
+  Add(
+      "lift",
+      [this] {
+        return Line(Translation3d(0, 0, params_.settings.motion.raise) *
+                    kinematics_.GripperPose(command_->q));
+      },
+      [this] { is_near_ = false; });
+}
+
+void ArmWorker::PlanCarry(const GoalMaker& goal) {
+  Add("plan the way", [this, goal]() -> Todo::Made {
+    auto made = goal();
+    if (auto* reason = std::get_if<std::string>(&made)) return *reason;
+    goal_ = std::get<PlaceGoal>(made);
+    planner_.SetHeld(held_);
+    auto planned = planner_.PlanPlace(goal_, command_->q);
+    if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
+    place_ = std::get<Place>(planned);
+    return std::unique_ptr<SkillStage>();
+  });
+  Add("carry", [this] { return Transit(place_.q_approach); });
+}
+
+void ArmWorker::PlanLetGo() {
+  Add(
+      kLetGo,
+      [this] {
+        return Fingers(held_->width + 2 * kLetGoMargin, Until::kReleased);
+      },
+      [this] {
+        held_.reset();
+        sensor_.Unload();
+        planner_.SetHeld(std::nullopt);
+      });
+  PlanDrawBack();
+}
+
+void ArmWorker::PlanDrawBack() {
+  Add(
+      "draw back",
+      [this] {
+        return Line(kinematics_.GripperPose(command_->q) *
+                    Translation3d(0, 0, params_.settings.motion.approach));
+      },
+      [this] { is_near_ = false; });
+}
+
+void ArmWorker::PlanGoHome() {
+  Add("go home",
+      [this] { return Transit(params_.layout.FindArm(params_.arm)->home); });
+}
+
+// ---- what the stages are made of
+
+ArmWorker::Todo::Made ArmWorker::Transit(const Joints& q) {
+  auto planned =
+      planner_.PlanTransit(command_->q, q, command_->opening, command_->grip);
+  if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
+  return std::make_unique<FollowTrajectory>(
+      std::get<JointTrajectory>(std::move(planned)));
+}
+
+ArmWorker::Todo::Made ArmWorker::Line(const Isometry3d& X_WG) {
+  return std::make_unique<MoveOnLine>(kinematics_, X_WG,
+                                      params_.settings.motion.line_speed);
+}
+
+ArmWorker::Todo::Made ArmWorker::Fingers(double opening, Until until) {
+  const std::string& grip = held_ ? held_->grip : pick_.grip;
+  return std::make_unique<MoveFingers>(std::max(opening, 0.0), grip, until);
+}
+
+OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
+  const Site& site = *params_.parts.FindSite(request_->site);
+  const auto host = poses_.find(site.host);
+  if (host == poses_.end()) return "nobody knows where " + site.host + " is";
+  PlaceGoal goal;
+  const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
+  goal.X_WO = host->second * site.X_HS * Translation3d(aim.x(), aim.y(), 0);
+  goal.way_out = goal.X_WO.linear().col(2);
+  goal.approach = site.approach;
+  goal.symmetry_order = params_.parts.Find(request_->part)->symmetry_order;
+  if (params_.parts.FindThread(site.type) != nullptr) {
+    goal.turn = params_.settings.turning.max_angle;
+  }
+  return goal;
+}
+
+OrReason<PlaceGoal> ArmWorker::GoalAtStation() const {
+  return planner_.Upright(request_->part,
+                          params_.layout.FindArm(params_.arm)->X_WT_station);
+}
+
+SeatingFrames ArmWorker::FramesAtSite() const {
+  return {goal_.X_WO, held_->X_GO, place_.X_turn};
+}
+
+void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
+  held_ = HeldPart{name, X_GO, pick_.grip, pick_.width};
+  const Part& part = *params_.parts.Find(name);
+  const VolumeMoments moments = MomentsOf(part.pieces);
+  sensor_.Load(part.density * moments.volume, X_GO * moments.centre);
+}
+
+/// What the fingers hold if they held it before this life began, or have lost.
+void ArmWorker::KnowHeld() {
+  if (!reading_.is_gripping) {
+    if (!held_ || phase_ == kLetGo) return;
+    const std::string lost = "it has lost " + held_->part;
+    held_.reset();
+    sensor_.Unload();
+    if (request_) OnFailure(lost);
+    return;
+  }
+  if (held_ || request_ || reading_.dq.cwiseAbs().maxCoeff() > 1e-3) return;
+  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
+  double nearest = kHeldWithin;
+  std::string name;
+  for (const auto& [part, X_WO] : poses_) {
+    if (params_.parts.Find(part)->is_fixed) continue;
+    const double distance = (X_WO.translation() - X_WG.translation()).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    name = part;
+  }
+  if (name.empty()) return;
+  pick_.width = reading_.opening;
+  Hold(name, X_WG.inverse() * poses_.at(name));
+}
+
+}  // namespace cell

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "services/robot_arm/arm_planner.h"
+#include "services/robot_arm/arm_reading.h"
+#include "services/robot_arm/contact_sensor.h"
+#include "services/robot_arm/motions.h"
+#include "services/robot_arm/seating.h"
+#include "services/robot_arm/skill.h"
+#include "services/robot_arm/skill_stage.h"
+#include "services/robot_arm/tool_kinematics.h"
+
+namespace cell {
+
+/// One arm at work: does one skill at a time (section VIII-A), as stages one
+/// after the other. Pure: what comes out is a function of what it was told.
+class ArmWorker {
+ public:
+  using Params = ArmPlanner::Params;
+  /// What the supervisor allows.
+  enum class Leave {
+    kMove,    ///< go on
+    kFinish,  ///< finish the skill that runs, begin none
+    kFreeze   ///< stand still at once
+  };
+
+  explicit ArmWorker(const Params& params);
+  ArmWorker(const ArmWorker&) = delete;
+  ArmWorker& operator=(const ArmWorker&) = delete;
+
+  /// Where parts are tracked; others are unknown. [X_WO]
+  void See(const std::map<std::string, Eigen::Isometry3d>& poses);
+  void SeeOther(const std::string& arm, const ArmPosture& posture);
+
+  /// Takes the skill, or refuses it: then there is a result at once.
+  void Begin(const SkillRequest& request, Leave leave);
+  /// One tick of `dt` [s]: what the arm shall do next.
+  ArmCommand Step(const ArmReading& reading, Leave leave, double dt);
+  /// Of a skill that has ended or was refused since the last call.
+  std::optional<SkillResult> TakeResult();
+
+  /// Id of the skill that runs; -1: none.
+  int64_t request() const { return request_ ? request_->id : -1; }
+  const std::string& phase() const { return phase_; }
+  /// Part in the gripper; empty: none, or nobody knows which.
+  std::string held() const { return held_ ? held_->part : ""; }
+  bool is_frozen() const { return is_frozen_; }
+  /// Parts that it could take where they lie, sorted.
+  std::vector<std::string> Reachable() const;
+
+ private:
+  /// A stage to come. It is made when its turn has come, for what is known
+  /// then; text says why it cannot be, no stage that there is nothing to do.
+  struct Todo {
+    using Made = std::variant<std::unique_ptr<SkillStage>, std::string>;
+    std::string phase;
+    std::function<Made()> make;
+    std::function<void()> then;  ///< when it is done; may be empty
+  };
+
+  using GoalMaker = std::function<OrReason<PlaceGoal>()>;
+  using Until = MoveFingers::Until;
+
+  std::optional<std::string> WhyNot(const SkillRequest& request) const;
+  void Advance(double dt);
+  bool BeginNext();
+  void FinishFirst();
+  void OnFailure(const std::string& reason);
+  void End(SkillResult::Outcome outcome, const std::string& reason);
+
+  void Add(const std::string& phase, std::function<Todo::Made()> make,
+           std::function<void()> then = {});
+  void PlanInsert();
+  void PlanPresent();
+  void PlanPutDown();
+  void PlanSetDown(const GoalMaker& goal);
+  void PlanTake(const GoalMaker& goal);
+  void PlanCarry(const GoalMaker& goal);
+  void PlanLetGo();
+  void PlanDrawBack();
+  void PlanGoHome();
+
+  Todo::Made Transit(const Joints& q);
+  Todo::Made Line(const Eigen::Isometry3d& X_WG);
+  Todo::Made Fingers(double opening, Until until);
+  OrReason<PlaceGoal> GoalAtSite() const;
+  OrReason<PlaceGoal> GoalAtStation() const;
+  SeatingFrames FramesAtSite() const;
+  void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
+  void KnowHeld();
+
+  Params params_;
+  ToolKinematics kinematics_;
+  ContactSensor sensor_;
+  ArmPlanner planner_;
+  std::map<std::string, Eigen::Isometry3d> poses_;
+  ArmReading reading_;
+  std::optional<ArmCommand> command_;
+  std::optional<HeldPart> held_;
+  std::optional<SkillRequest> request_;
+  std::deque<Todo> todos_;
+  std::unique_ptr<SkillStage> stage_;  // of the first of them
+  std::string phase_;
+  Pick pick_;             // of the part that is taken
+  PlaceGoal goal_;        // of the part that is put down
+  Place place_;           // there
+  bool is_near_ = false;  // among things: it draws back before it turns away
+  double peak_force_ = 0;
+  bool has_moved_ = false;
+  std::string failure_;  // that the arm recovers from
+  std::optional<SkillResult> result_;
+  bool is_frozen_ = false;
+  double rate_ = 1;  // of time, as the arm starts again
+};
+
+}  // namespace cell

@@ -1,0 +1,132 @@
+#include "services/robot_arm/motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+
+constexpr double kTurnSpeed = 0.8;     // [rad/s] of the gripper on a line
+constexpr double kSettleTime = 0.12;   // [s] that the servos need
+constexpr double kThere = 0.0015;      // [rad] of a joint
+constexpr double kPatience = 1.0;      // [s] for the servos
+constexpr double kFingerTime = 3.0;    // [s] for the fingers
+constexpr double kFingerThere = 5e-4;  // [m]
+constexpr double kDwell = 0.15;        // [s] after the fingers
+constexpr double kStill = 0.15;        // [s] before a sensor is read
+constexpr int kNumReadings = 12;
+constexpr double kSensorPatience = 0.2;  // [s] without a reading
+
+double MinimumJerk(double s) {
+  const double t = std::clamp(s, 0.0, 1.0);
+  return t * t * t * (10 + t * (-15 + 6 * t));
+}
+constexpr double kMinimumJerkPeak = 1.875;  // of the mean speed
+
+bool IsThere(const ArmReading& reading, const ArmCommand& command) {
+  return (reading.q - command.q).cwiseAbs().maxCoeff() < kThere;
+}
+
+}  // namespace
+
+FollowTrajectory::FollowTrajectory(JointTrajectory trajectory)
+    : trajectory_(std::move(trajectory)) {}
+
+SkillStage::State FollowTrajectory::Step(const ArmReading& reading, double dt,
+                                         ArmCommand* command) {
+  time_ += dt;
+  command->q = trajectory_.At(time_).position;
+  if (time_ < trajectory_.duration()) return State::kRunning;
+  settling_ += dt;
+  const bool is_over = settling_ >= kSettleTime &&
+                       (IsThere(reading, *command) || settling_ > kPatience);
+  return is_over ? State::kDone : State::kRunning;
+}
+
+MoveOnLine::MoveOnLine(const ToolKinematics& kinematics, const Isometry3d& X_WG,
+                       double speed)
+    : kinematics_(kinematics), X_WG_to_(X_WG), speed_(speed) {}
+
+SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
+                                   ArmCommand* command) {
+  if (!has_begun_) {
+    has_begun_ = true;
+    X_WG_from_ = kinematics_.GripperPose(command->q);
+    const double way =
+        (X_WG_to_.translation() - X_WG_from_.translation()).norm();
+    const double angle =
+        Eigen::AngleAxisd(X_WG_from_.linear().transpose() * X_WG_to_.linear())
+            .angle();
+    duration_ = kMinimumJerkPeak * std::max(way / speed_, angle / kTurnSpeed);
+  }
+  time_ += dt;
+  const double s = duration_ > 0 ? MinimumJerk(time_ / duration_) : 1;
+  Isometry3d X_WG = Isometry3d::Identity();
+  X_WG.translation() =
+      (1 - s) * X_WG_from_.translation() + s * X_WG_to_.translation();
+  X_WG.linear() = Eigen::Quaterniond(X_WG_from_.linear())
+                      .slerp(s, Eigen::Quaterniond(X_WG_to_.linear()))
+                      .toRotationMatrix();
+  const auto q = kinematics_.JointsNear(X_WG, command->q);
+  if (!q) {
+    reason_ = "the straight way leads out of reach";
+    return State::kFailed;
+  }
+  command->q = *q;
+  const bool is_over =
+      time_ >= duration_ + kSettleTime &&
+      (IsThere(reading, *command) || time_ > duration_ + kPatience);
+  return is_over ? State::kDone : State::kRunning;
+}
+
+MoveFingers::MoveFingers(double opening, const std::string& grip, Until until)
+    : opening_(opening), grip_(grip), until_(until) {}
+
+SkillStage::State MoveFingers::Step(const ArmReading& reading, double dt,
+                                    ArmCommand* command) {
+  time_ += dt;
+  command->opening = opening_;
+  command->grip = grip_;
+  if (time_ < kDwell) return State::kRunning;
+  const bool is_there = std::abs(reading.opening - opening_) < kFingerThere;
+  switch (until_) {
+    case Until::kGripping:
+      if (reading.is_gripping) return State::kDone;
+      return is_there || time_ > kFingerTime ? State::kFailed : State::kRunning;
+    case Until::kReleased:
+      if (!reading.is_gripping && is_there) return State::kDone;
+      break;
+    case Until::kThere:
+      if (is_there) return State::kDone;
+      break;
+  }
+  return time_ > kFingerTime ? State::kFailed : State::kRunning;
+}
+
+std::string MoveFingers::reason() const {
+  return until_ == Until::kGripping ? "the fingers have closed on nothing"
+                                    : "the fingers do not move";
+}
+
+SkillStage::State Tare::Step(const ArmReading&, double dt, ArmCommand*) {
+  time_ += dt;
+  if (time_ < kStill || dt == 0) return State::kRunning;
+  if (!sensor_.weightless()) {
+    return time_ > kStill + kSensorPatience ? State::kFailed : State::kRunning;
+  }
+  const ArmReading::SensedWrench& wrench = *sensor_.weightless();
+  sum_.force += wrench.force;
+  sum_.torque += wrench.torque;
+  if (++num_ < kNumReadings) return State::kRunning;
+  sensor_.SetOffset({sum_.force / num_, sum_.torque / num_});
+  return State::kDone;
+}
+
+std::string Tare::reason() const {
+  return "the force-torque sensor is silent";
+}
+
+}  // namespace cell

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "common/arms/joint_trajectory.h"
+#include "services/robot_arm/contact_sensor.h"
+#include "services/robot_arm/skill_stage.h"
+#include "services/robot_arm/tool_kinematics.h"
+
+namespace cell {
+
+/// Follows a trajectory of the joints.
+class FollowTrajectory : public SkillStage {
+ public:
+  explicit FollowTrajectory(JointTrajectory trajectory);
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+
+ private:
+  JointTrajectory trajectory_;
+  double time_ = 0;
+  double settling_ = 0;  // [s] since the trajectory's end
+};
+
+/// Moves the gripper along a straight line, turning evenly; starts and ends at
+/// rest.
+class MoveOnLine : public SkillStage {
+ public:
+  /// From where the command is when it begins. `speed` [m/s] at most.
+  MoveOnLine(const ToolKinematics& kinematics, const Eigen::Isometry3d& X_WG,
+             double speed);
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+  std::string reason() const override { return reason_; }
+
+ private:
+  const ToolKinematics& kinematics_;
+  Eigen::Isometry3d X_WG_from_, X_WG_to_;
+  double speed_;
+  bool has_begun_ = false;
+  double duration_ = 0, time_ = 0;
+  std::string reason_;
+};
+
+/// Opens or closes the fingers and waits for them.
+class MoveFingers : public SkillStage {
+ public:
+  enum class Until { kThere, kGripping, kReleased };
+  /// `grip`: how the fingers stand.
+  MoveFingers(double opening, const std::string& grip, Until until);
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+  std::string reason() const override;
+
+ private:
+  double opening_;
+  std::string grip_;
+  Until until_;
+  double time_ = 0;
+};
+
+/// Stands still, and tares the sensor: nothing touches the part.
+class Tare : public SkillStage {
+ public:
+  /// `sensor` must outlive this object.
+  explicit Tare(ContactSensor& sensor) : sensor_(sensor) {}
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+  std::string reason() const override;
+
+ private:
+  ContactSensor& sensor_;
+  ArmReading::SensedWrench sum_;
+  int num_ = 0;
+  double time_ = 0;
+};
+
+}  // namespace cell

@@ -1,0 +1,236 @@
+#include "services/robot_arm/robot_arm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cell/arm_setpoint_t.hpp"
+#include "cell/skill_result_t.hpp"
+#include "common/arms/ur5.h"
+#include "common/sec/track.h"
+
+namespace cell {
+namespace {
+
+constexpr double kTick = 1e-6 * kTickUs;      // [s]
+constexpr int32_t kReportPeriod = 12;         // ticks
+constexpr int64_t kSetpointUs = 4 * kTickUs;  // how long one may be followed
+constexpr int64_t kFreshUs = 2 * kTickUs;     // a reading of the sensor
+
+std::optional<ArmReading> FromMessage(const arm_state_t& message) {
+  ArmReading reading;
+  for (int i = 0; i < 6; ++i) {
+    reading.q[i] = message.position[i];
+    reading.dq[i] = message.velocity[i];
+    if (!(std::abs(reading.q[i]) <= ur5::kJointLimit) ||
+        !(std::abs(reading.dq[i]) <= 2 * ur5::kJointSpeed)) {
+      return std::nullopt;
+    }
+  }
+  if (!(message.opening >= 0 && message.opening < 1) ||
+      message.grip < arm_state_t::OPEN ||
+      message.grip > arm_state_t::GRIPPING ||
+      message.servo < arm_state_t::FOLLOWING ||
+      message.servo > arm_state_t::STOPPED) {
+    return std::nullopt;
+  }
+  reading.opening = message.opening;
+  reading.is_gripping = message.grip == arm_state_t::GRIPPING;
+  reading.is_stopped = message.servo == arm_state_t::STOPPED;
+  return reading;
+}
+
+bool IsSame(const arm_report_t& a, const arm_report_t& b) {
+  return a.request == b.request && a.phase == b.phase && a.held == b.held &&
+         a.is_frozen == b.is_frozen && a.reachable == b.reachable;
+}
+
+}  // namespace
+
+RobotArm::RobotArm(Bus& bus, const Params& params)
+    : bus_(bus),
+      params_(params),
+      name_(params.worker.arm),
+      suffix_(ChannelSuffix(name_)),
+      worker_(std::make_unique<ArmWorker>(params_.worker)) {
+  bus.Subscribe<episode_t>("EPISODE",
+                           [this](const auto& m) { return OnEpisode(m); });
+  bus.Subscribe<motion_permit_t>(
+      "MOTION_PERMIT", [this](const auto& m) { return OnPermit(m); }, 1);
+  bus.Subscribe<tracks_t>(
+      "TRACKS", [this](const auto& m) { return OnTracks(m); }, 1);
+  bus.Subscribe<skill_request_t>(
+      "SKILL_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  for (const ArmLayout& arm : params_.worker.layout.arms) {
+    bus.Subscribe<arm_state_t>(
+        "ARM_STATE_" + ChannelSuffix(arm.name),
+        [this, arm = arm.name](const arm_state_t& m) {
+          return arm == name_ ? OnState(m) : OnOther(arm, m);
+        },
+        1);
+    if (arm.name == name_ && arm.X_FS) {
+      bus.Subscribe<wrench_t>(
+          "WRENCH_" + suffix_, [this](const auto& m) { return OnWrench(m); },
+          1);
+    }
+  }
+  bus.Every(1, 0, [this] { OnTick(); });
+}
+
+bool RobotArm::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::START) {
+    worker_ = std::make_unique<ArmWorker>(params_.worker);
+    last_report_ = {};
+    was_held_ = false;
+  }
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
+}
+
+bool RobotArm::OnState(const arm_state_t& message) {
+  auto reading = FromMessage(message);
+  if (!reading) return false;
+  reading_ = *std::move(reading);
+  return true;
+}
+
+bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
+  const auto reading = FromMessage(message);
+  if (!reading) return false;
+  worker_->SeeOther(arm, {reading->q, "", reading->opening});
+  return true;
+}
+
+bool RobotArm::OnWrench(const wrench_t& message) {
+  ArmReading::SensedWrench wrench;
+  std::copy_n(message.force, 3, wrench.force.data());
+  std::copy_n(message.torque, 3, wrench.torque.data());
+  if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return false;
+  wrench_ = wrench;
+  wrench_utime_ = message.header.utime;
+  return true;
+}
+
+bool RobotArm::OnPermit(const motion_permit_t& message) {
+  if (message.hold < motion_permit_t::NONE ||
+      message.hold > motion_permit_t::AT_ONCE ||
+      message.mode < motion_permit_t::IDLE ||
+      message.mode > motion_permit_t::HOLD) {
+    return false;
+  }
+  permit_ = message;
+  return true;
+}
+
+bool RobotArm::OnTracks(const tracks_t& message) {
+  const auto tracks = TracksFromMessage(message, params_.cast);
+  if (!tracks) return false;
+  std::map<std::string, Eigen::Isometry3d> poses;
+  for (const Track& track : tracks->tracks) {
+    if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
+      poses.emplace(track.name, track.X_WO);
+    }
+  }
+  worker_->See(poses);
+  return true;
+}
+
+bool RobotArm::OnRequest(const skill_request_t& message) {
+  if (message.arm != name_) return true;
+  if (message.skill < skill_request_t::INSERT ||
+      message.skill > skill_request_t::GO_HOME) {
+    return false;
+  }
+  const SkillRequest request{message.id,
+                             static_cast<SkillRequest::Kind>(message.skill),
+                             message.part, message.site};
+  if (bus_.now() > message.deadline_utime) {
+    PublishResult({request.id, SkillResult::Outcome::kRefused,
+                   "the request has come too late"});
+    return true;
+  }
+  worker_->Begin(request, LeaveToMove());
+  return true;
+}
+
+ArmWorker::Leave RobotArm::LeaveToMove() const {
+  using Leave = ArmWorker::Leave;
+  if (!permit_ || bus_.now() > permit_->until_utime) return Leave::kFreeze;
+  switch (permit_->hold) {
+    case motion_permit_t::AT_ONCE:
+      return Leave::kFreeze;
+    case motion_permit_t::AT_BOUNDARY:
+      return Leave::kFinish;
+    default:
+      return permit_->mode == motion_permit_t::EXECUTE ? Leave::kMove
+                                                       : Leave::kFinish;
+  }
+}
+
+void RobotArm::OnTick() {
+  if (!reading_) return;
+  reading_->wrench.reset();
+  if (bus_.now() - wrench_utime_ <= kFreshUs) reading_->wrench = wrench_;
+  const ArmCommand command = worker_->Step(*reading_, LeaveToMove(), kTick);
+  PublishSetpoint(command);
+  if (const auto result = worker_->TakeResult()) PublishResult(*result);
+  PublishReport();
+}
+
+void RobotArm::PublishSetpoint(const ArmCommand& command) {
+  arm_setpoint_t message{};
+  message.header.utime = bus_.now();
+  message.deadline_utime = bus_.now() + kSetpointUs;
+  std::copy_n(command.q.data(), 6, message.position);
+  message.opening = command.opening;
+  message.grip = command.grip;
+  // The operator has resumed: the cell was held, and is not any more.
+  const bool is_held = LeaveToMove() == ArmWorker::Leave::kFreeze;
+  message.clear_stop = reading_->is_stopped && was_held_ && !is_held;
+  if (is_held || !reading_->is_stopped) was_held_ = is_held;
+  bus_.Publish("ARM_SETPOINT_" + suffix_, message);
+}
+
+void RobotArm::PublishResult(const SkillResult& result) {
+  skill_result_t message{};
+  message.header.utime = bus_.now();
+  message.id = result.id;
+  message.arm = name_;
+  message.outcome = static_cast<int8_t>(result.outcome);
+  message.reason = result.reason;
+  message.peak_force = result.peak_force;
+  bus_.Publish("SKILL_RESULT", message);
+}
+
+void RobotArm::PublishReport() {
+  arm_report_t report{};
+  report.header.utime = bus_.now();
+  report.arm = name_;
+  report.request = worker_->request();
+  report.phase = worker_->phase();
+  report.is_frozen = worker_->is_frozen();
+  report.held = worker_->held();
+  report.reachable = worker_->Reachable();
+  report.num_reachable = static_cast<int32_t>(report.reachable.size());
+  if (bus_.tick() % kReportPeriod != 0 && IsSame(report, last_report_)) return;
+  last_report_ = report;
+  bus_.Publish("ARM_REPORT_" + suffix_, report);
+}
+
+std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
+                                      const std::string& instance) {
+  const PartTable parts =
+      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const Config layout_config = deployment.OfTask("cell.yaml");
+  const CellLayout layout = CellLayout::FromConfig(layout_config);
+  if (layout.FindArm(instance) == nullptr) {
+    layout_config["arms"].Fail("there is no arm '" + instance + "'");
+  }
+  const SkillSettings settings =
+      SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), parts);
+  return std::make_unique<RobotArm>(
+      bus, RobotArm::Params{{instance, layout, parts, settings},
+                            Cast(parts, layout)});
+}
+
+}  // namespace cell

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cell/arm_report_t.hpp"
+#include "cell/arm_state_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/motion_permit_t.hpp"
+#include "cell/skill_request_t.hpp"
+#include "cell/tracks_t.hpp"
+#include "cell/wrench_t.hpp"
+#include "common/bus/bus.h"
+#include "common/config/deployment.h"
+#include "common/sec/cast.h"
+#include "services/robot_arm/arm_worker.h"
+
+namespace cell {
+
+/// One arm's skills (section VIII): SKILL_REQUEST, TRACKS and what its device
+/// says in; ARM_SETPOINT_<ARM> every tick, ARM_REPORT_<ARM> and SKILL_RESULT
+/// out. It moves only while MOTION_PERMIT lets it.
+class RobotArm final : public Service {
+ public:
+  struct Params {
+    ArmWorker::Params worker;
+    Cast cast;
+  };
+
+  /// `bus` must outlive this object.
+  RobotArm(Bus& bus, const Params& params);
+
+ private:
+  bool OnEpisode(const episode_t& message);
+  bool OnState(const arm_state_t& message);
+  bool OnOther(const std::string& arm, const arm_state_t& message);
+  bool OnWrench(const wrench_t& message);
+  bool OnPermit(const motion_permit_t& message);
+  bool OnTracks(const tracks_t& message);
+  bool OnRequest(const skill_request_t& message);
+  void OnTick();
+  void PublishSetpoint(const ArmCommand& command);
+  void PublishResult(const SkillResult& result);
+  void PublishReport();
+  ArmWorker::Leave LeaveToMove() const;
+
+  Bus& bus_;
+  Params params_;
+  std::string name_, suffix_;
+  std::unique_ptr<ArmWorker> worker_;  // of the episode
+  std::optional<ArmReading> reading_;
+  std::optional<ArmReading::SensedWrench> wrench_;
+  int64_t wrench_utime_ = 0;
+  std::optional<motion_permit_t> permit_;
+  bool was_held_ = false;  // the cell, by the supervisor
+  arm_report_t last_report_{};
+};
+
+/// The arm `instance` of the task's cell.yaml.
+std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
+                                      const std::string& instance);
+
+}  // namespace cell

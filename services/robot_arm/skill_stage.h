@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/robot_arm/arm_reading.h"
+
+namespace cell {
+
+/// One stretch of a skill that runs tick by tick: a motion, the fingers, a
+/// contact. It changes the command and says when it is over. `dt` [s] is 0
+/// while the arm is frozen: then nothing goes on.
+class SkillStage {
+ public:
+  enum class State { kRunning, kDone, kFailed };
+
+  virtual ~SkillStage() = default;
+  virtual State Step(const ArmReading& reading, double dt,
+                     ArmCommand* command) = 0;
+  /// Why it has failed, in plain words.
+  virtual std::string reason() const { return ""; }
+};
+
+}  // namespace cell

@@ -1,0 +1,44 @@
+#include "services/robot_arm/turning.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace cell {
+
+Turning::Turning(const Params& params, const Eigen::Isometry3d& X_SO)
+    : params_(params), X_SO_(X_SO), z_(X_SO.translation().z()) {}
+
+Turning::State Turning::Step(const ContactWrench& contact, double height,
+                             double dt) {
+  if (state_ != State::kRunning) return state_;
+  if (std::abs(contact.torque.z()) > params_.max_torque) {
+    state_ = angle_ >= params_.min_angle ? State::kDone : State::kFailed;
+    reason_ = fmt::format("the thread has jammed {:.1f} mm from its seat",
+                          1e3 * height);
+    return state_;
+  }
+  if (angle_ >= params_.max_angle) {
+    state_ = State::kFailed;
+    reason_ = "it turns and turns, the thread does not hold";
+    return state_;
+  }
+  angle_ += params_.rate * dt;
+  const double sink = params_.pitch * params_.rate / (2 * std::numbers::pi);
+  z_ -= sink * dt + params_.ki * (params_.push - contact.force.z()) * dt;
+  spring_ = params_.kp * contact.force.head<2>();
+  drift_ += params_.ki * dt * contact.force.head<2>();
+  return state_;
+}
+
+Eigen::Isometry3d Turning::X_SO() const {
+  Eigen::Isometry3d X_SO = X_SO_;
+  X_SO.linear() =
+      Eigen::AngleAxisd(-angle_, Eigen::Vector3d::UnitZ()) * X_SO_.linear();
+  X_SO.translation().head<2>() += spring_ + drift_;
+  X_SO.translation().z() = z_;
+  return X_SO;
+}
+
+}  // namespace cell

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cell/arm_setpoint_t.hpp"
+#include "common/bus/bus.h"
+#include "common/geometry/part_shape.h"
+#include "common/layout/arm_layout.h"
+#include "services/vtb/arm_servo.h"
+#include "services/vtb/gripper.h"
+#include "services/vtb/world.h"
+
+namespace cell {
+
+/// One arm as the cell's services meet it: ARM_SETPOINT_<ARM> in, every tick
+/// ARM_STATE_<ARM> out and, if it has a sensor, WRENCH_<ARM>. In a real cell a
+/// driver of the robot says the same. Simplification: the arm is as stiff as
+/// its servo, nothing pushes it.
+class ArmDevice {
+ public:
+  struct Params {
+    ArmServo::Params servo;
+    Gripper::Params gripper;
+    /// What the sensor reads with nothing on it [N, N m].
+    Wrench bias;
+  };
+
+  /// All must outlive this object.
+  ArmDevice(Bus& bus, const ArmLayout& layout,
+            const std::vector<PartShape>& shapes, const Params& params);
+
+  /// At home, with open fingers.
+  void Reset(World& world);
+  /// One tick of `dt` [s]: the physics are to run for as long.
+  void Update(double dt, World& world);
+  /// After the physics have run.
+  void Publish(const World& world);
+
+  /// True if joints and fingers stand.
+  bool IsAtRest() const;
+  /// Links and plinth.
+  std::vector<BodyPose> Bodies() const;
+
+ private:
+  bool OnSetpoint(const arm_setpoint_t& message);
+  Eigen::Isometry3d FlangePose() const;
+  Wrench Reading(const World& world, const Eigen::Isometry3d& X_WF);
+
+  Bus& bus_;
+  const ArmLayout& layout_;
+  Params params_;
+  std::string suffix_;  // of its channels
+  ArmServo servo_;
+  Gripper gripper_;
+  double force_ = 0;  // [N] on the tool in the tick before
+  /// Of the tool's centre of mass, in the two ticks before: what it is
+  /// accelerated by.
+  Eigen::Vector3d p_W_tool_[2];
+  double dt_ = 0;
+};
+
+}  // namespace cell

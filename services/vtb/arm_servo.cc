@@ -1,0 +1,62 @@
+#include "services/vtb/arm_servo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace cell {
+
+ArmServo::ArmServo(const Params& params, const Joints& q)
+    : params_(params),
+      // |H(jw)| = omega^2 / (omega^2 + w^2) is 1/sqrt(2) at the bandwidth.
+      omega_(2 * std::numbers::pi * params.bandwidth /
+             std::sqrt(std::numbers::sqrt2 - 1)),
+      q_(q),
+      goal_(q) {}
+
+void ArmServo::Command(const Joints& q, bool clear_stop) {
+  if (state_ == State::kStopped && !clear_stop) return;
+  state_ = State::kFollowing;
+  num_silent_ = 0;
+  command_ = q;
+}
+
+void ArmServo::Update(double dt, double force) {
+  if (force > params_.stop_force && state_ != State::kStopped) {
+    state_ = State::kStopped;
+    goal_ = q_;
+    command_.reset();
+    delayed_.clear();
+  }
+  if (!command_ && state_ == State::kFollowing &&
+      ++num_silent_ > params_.patience_ticks) {
+    state_ = State::kHolding;
+  }
+  delayed_.push_back(std::exchange(command_, std::nullopt));
+  if (delayed_.size() > static_cast<size_t>(params_.dead_ticks)) {
+    if (delayed_.front()) goal_ = *delayed_.front();
+    delayed_.pop_front();
+  }
+  MoveTowards(dt);
+}
+
+/// The exact motion of the double pole towards a goal that stays for `dt`.
+void ArmServo::MoveTowards(double dt) {
+  const double decay = std::exp(-omega_ * dt);
+  for (int i = 0; i < q_.size(); ++i) {
+    const double error = q_[i] - goal_[i];
+    const double rise = v_[i] + omega_ * error;
+    double next = goal_[i] + (error + rise * dt) * decay;
+    double speed = (v_[i] - omega_ * rise * dt) * decay;
+    const double reach = params_.max_speed * dt;
+    if (std::abs(next - q_[i]) > reach) {
+      next = q_[i] + std::copysign(reach, next - q_[i]);
+      speed = std::copysign(params_.max_speed, next - q_[i]);
+    }
+    v_[i] = std::clamp(speed, -params_.max_speed, params_.max_speed);
+    q_[i] = next;
+  }
+}
+
+}  // namespace cell

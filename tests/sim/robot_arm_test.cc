@@ -1,0 +1,160 @@
+// One arm at work in the testbed, asked by a stand-in for planner and
+// supervisor.
+#include "services/robot_arm/robot_arm.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <deque>
+#include <iostream>
+
+#include "cell/skill_result_t.hpp"
+#include "common/bus/sim_bus.h"
+#include "services/cell/assembly_score.h"
+#include "services/tracker/tracker.h"
+#include "services/vtb/vtb.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+struct Wish {
+  std::string arm;
+  int8_t skill;
+  std::string part, site;
+};
+
+// Asks for one wish after the other, and lets the arms move.
+class Driver final : public Service {
+ public:
+  Driver(Bus& bus, std::deque<Wish> wishes,
+         std::vector<skill_result_t>* results)
+      : bus_(bus), wishes_(std::move(wishes)), results_(results) {
+    bus.Subscribe<skill_result_t>("SKILL_RESULT", [this](const auto& m) {
+      results_->push_back(m);
+      is_waiting_ = false;
+      if (std::getenv("CELL_VERBOSE")) {
+        std::cerr << 1e-6 * static_cast<double>(bus_.now()) << " s: " << m.id
+                  << " outcome " << int{m.outcome} << " " << m.reason
+                  << " peak " << m.peak_force << "\n";
+      }
+    });
+    bus.Every(1, 0, [this] { OnTick(); });
+  }
+
+ private:
+  void OnTick() {
+    motion_permit_t permit{};
+    permit.header.utime = bus_.now();
+    permit.until_utime = bus_.now() + 40'000;
+    permit.mode = motion_permit_t::EXECUTE;
+    bus_.Publish("MOTION_PERMIT", permit);
+    if (bus_.tick() < 60 || is_waiting_) return;
+    if (wishes_.empty()) {
+      execution_t done{};
+      done.header.utime = bus_.now();
+      done.state = execution_t::DONE;
+      if (!std::exchange(is_done_, true)) bus_.Publish("EXECUTION", done);
+      return;
+    }
+    const Wish& wish = wishes_.front();
+    skill_request_t request{};
+    request.header.utime = bus_.now();
+    request.id = ++id_;
+    request.deadline_utime = bus_.now() + 1'000'000;
+    request.arm = wish.arm;
+    request.skill = wish.skill;
+    request.part = wish.part;
+    request.site = wish.site;
+    bus_.Publish("SKILL_REQUEST", request);
+    wishes_.pop_front();
+    is_waiting_ = true;
+  }
+
+  Bus& bus_;
+  std::deque<Wish> wishes_;
+  std::vector<skill_result_t>* results_;
+  bool is_waiting_ = false, is_done_ = false;
+  int64_t id_ = 0;
+};
+
+struct Outcome {
+  std::vector<skill_result_t> results;
+  AssemblyScore score;
+  double seconds = 0;
+};
+
+Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
+  const Deployment deployment = ShippedDeployment();
+  Roster roster;
+  roster.task = "cranfield";
+  roster.entries = {{"vtb"},
+                    {"tracker", 1, "tracker_ideal"},
+                    {"robot_arm@left"},
+                    {"robot_arm@right"},
+                    {"driver"}};
+  Outcome outcome;
+  std::map<std::string, ServiceFactory> factories;
+  factories["vtb"] = [&](Bus& bus) {
+    return MakeVtb(bus, deployment, "execution", seed);
+  };
+  factories["tracker"] = [&](Bus& bus) {
+    return MakeTracker(bus, deployment);
+  };
+  for (const char* arm : {"left", "right"}) {
+    factories[std::string("robot_arm@") + arm] = [&, arm](Bus& bus) {
+      return MakeRobotArm(bus, deployment, arm);
+    };
+  }
+  factories["driver"] = [&](Bus& bus) {
+    return std::make_unique<Driver>(bus, wishes, &outcome.results);
+  };
+  SimBus bus(roster, std::move(factories));
+  std::deque<truth_poses_t> looks;
+  while (bus.Step()) {
+    for (const Message& message : bus.last_messages()) {
+      if (message.channel != "TRUTH_POSES") continue;
+      truth_poses_t poses;
+      poses.decode(message.bytes->data(), 0,
+                   static_cast<int>(message.bytes->size()));
+      looks.push_back(std::move(poses));
+      if (looks.size() > 10) looks.pop_front();
+    }
+  }
+  const ShippedTask task;
+  const DemonstratorBook book = DemonstratorBook::FromConfig(
+      deployment.OfTask("demonstrators.yaml"), task.parts);
+  outcome.score = ScoreAssembly(looks.front(), looks.back(), task.parts, book);
+  outcome.seconds = bus.last_tick().header.tick * kTickUs * 1e-6;
+  return outcome;
+}
+
+constexpr int8_t kInsert = skill_request_t::INSERT;
+
+const std::deque<Wish> kAll = {
+    {"right", kInsert, "round_peg_1", "base.round_1"},
+    {"right", kInsert, "round_peg_2", "base.round_2"},
+    {"right", kInsert, "square_peg_1", "base.square_1"},
+    {"right", kInsert, "square_peg_2", "base.square_2"},
+    {"right", kInsert, "shaft", "base.shaft"},
+    {"right", kInsert, "separator", "base.separator"},
+    {"right", kInsert, "pendulum", "base.pendulum"},
+    {"right", kInsert, "head", "pendulum.head"},
+    {"right", kInsert, "face_plate", "base.face_plate"},
+    {"right", skill_request_t::GO_HOME, "", ""},
+};
+
+TEST(RobotArm, AssemblesEverythingOneAfterTheOther) {
+  const char* seed = std::getenv("CELL_SEED");
+  const Outcome outcome =
+      Assemble(seed ? std::strtoull(seed, nullptr, 10) : 1001, kAll);
+  ASSERT_EQ(outcome.results.size(), kAll.size());
+  for (const skill_result_t& result : outcome.results) {
+    EXPECT_EQ(result.outcome, skill_result_t::SUCCEEDED)
+        << result.id << ": " << result.reason;
+  }
+  EXPECT_THAT(outcome.score.missing, testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace cell
