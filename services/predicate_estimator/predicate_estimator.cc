@@ -18,9 +18,11 @@ predicates_t ToMessage(const State& state, const Vocabulary& vocabulary,
   message.key_frame = frame.index;
   for (int index = 0; index < state.num_atoms(); ++index) {
     const GroundAtom atom = vocabulary.Atom(index);
+    const Predicate& predicate =
+        vocabulary.predicates()[static_cast<size_t>(atom.predicate)];
+    if (predicate.report) continue;
     literal_t& literal = message.literals.emplace_back();
-    literal.predicate =
-        vocabulary.predicates()[static_cast<size_t>(atom.predicate)].name;
+    literal.predicate = predicate.name;
     for (const int object : atom.objects) {
       literal.arguments.push_back(
           vocabulary.objects()[static_cast<size_t>(object)].name);
