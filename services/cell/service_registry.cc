@@ -6,6 +6,7 @@
 #include "services/recognizer/recognizer.h"
 #include "services/recorder/recorder.h"
 #include "services/sec_builder/sec_builder.h"
+#include "services/supervisor/supervisor.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 
@@ -29,6 +30,7 @@ std::map<std::string, ServiceFactory> AllServices(
       {"recognizer", of(MakeRecognizer)},
       {"predicate_estimator", of(MakePredicateEstimator)},
       {"planner", of(MakePlanner)},
+      {"supervisor", of(MakeSupervisor)},
       {"recorder", of(MakeRecorder)},
   };
 }

@@ -37,27 +37,27 @@ Arms::Arms(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {
   arms_.assign(arms.begin(), arms.end());
 }
 
-void Arms::Take(const ArmReport& report) {
+void Arms::Take(const ArmStatus& report) {
   const auto [it, is_new] = reports_.try_emplace(report.arm, report);
   if (!is_new && report.utime >= it->second.utime) it->second = report;
 }
 
-const ArmReport* Arms::Of(int arm) const {
+const ArmStatus* Arms::Of(int arm) const {
   const auto it = reports_.find(arm);
   return it == reports_.end() ? nullptr : &it->second;
 }
 
 bool Arms::HaveReportedSince(int64_t utime) const {
   return std::all_of(arms_.begin(), arms_.end(), [&](int arm) {
-    const ArmReport* report = Of(arm);
+    const ArmStatus* report = Of(arm);
     return report != nullptr && report->utime >= utime;
   });
 }
 
 bool Arms::AreIdle() const {
   return std::all_of(arms_.begin(), arms_.end(), [&](int arm) {
-    const ArmReport* report = Of(arm);
-    return report != nullptr && report->request == ArmReport::kIdle;
+    const ArmStatus* report = Of(arm);
+    return report != nullptr && report->request == ArmStatus::kIdle;
   });
 }
 
@@ -71,17 +71,17 @@ State Arms::WithReports(State state) const {
 }
 
 Truth Arms::IsHeld(int part, int arm) const {
-  const ArmReport* report = Of(arm);
+  const ArmStatus* report = Of(arm);
   return report == nullptr ? Truth::kUnknown : FromBool(report->held == part);
 }
 
 Truth Arms::IsReachable(int arm, int part) const {
   for (const int other : arms_) {
-    const ArmReport* report = Of(other);
+    const ArmStatus* report = Of(other);
     if (report != nullptr && report->held == part)
       return FromBool(other == arm);
   }
-  const ArmReport* report = Of(arm);
+  const ArmStatus* report = Of(arm);
   if (report == nullptr) return Truth::kUnknown;
   const auto& parts = report->reachable;
   return FromBool(std::find(parts.begin(), parts.end(), part) != parts.end());

@@ -11,7 +11,7 @@
 namespace cell {
 
 /// What an arm says of itself. Objects are the vocabulary's.
-struct ArmReport {
+struct ArmStatus {
   static constexpr int64_t kIdle = -1;
   int arm = 0;
   int64_t utime = 0;        ///< [us]
@@ -28,9 +28,9 @@ class Arms {
   explicit Arms(const Vocabulary& vocabulary);
 
   const std::vector<int>& arms() const { return arms_; }
-  void Take(const ArmReport& report);
+  void Take(const ArmStatus& report);
   /// Nothing until it has reported.
-  const ArmReport* Of(int arm) const;
+  const ArmStatus* Of(int arm) const;
   /// Every arm has reported at this time or later.
   bool HaveReportedSince(int64_t utime) const;
   bool AreIdle() const;
@@ -45,7 +45,7 @@ class Arms {
 
   const Vocabulary& vocabulary_;
   std::vector<int> arms_;  // ascending
-  std::map<int, ArmReport> reports_;
+  std::map<int, ArmStatus> reports_;
 };
 
 /// The state in which no arm holds or reaches anything: for who watches a

@@ -10,13 +10,13 @@
 namespace cell {
 
 /// A moment of the run.
-struct Moment {
+struct Instant {
   int64_t utime = 0;  ///< [us]
   int32_t tick = 0;
 };
 
 /// What an arm is to do once. Objects are the vocabulary's.
-struct SkillRequest {
+struct ArmOrder {
   enum class Kind { kInsert, kPresent, kPutDown, kGoHome };
   int64_t id = 0;              ///< unique in a run, across lives of the planner
   int64_t deadline_utime = 0;  ///< [us] not begun later
@@ -26,7 +26,7 @@ struct SkillRequest {
   std::optional<int> site;  ///< of kInsert
 };
 
-struct SkillResult {
+struct ArmOutcome {
   enum class Outcome { kSucceeded, kRefused, kFailed, kStopped };
   int64_t id = 0;
   int64_t utime = 0;  ///< [us] of the end
@@ -47,7 +47,7 @@ struct Execution {
 
 /// What is to be said at a moment.
 struct Orders {
-  std::vector<SkillRequest> requests;        ///< at most one for each arm
+  std::vector<ArmOrder> requests;            ///< at most one for each arm
   bool sense = false;                        ///< ask for the predicates
   std::optional<Execution> execution;        ///< if it has changed
   std::optional<Monitor::PlanOfState> plan;  ///< if it has changed

@@ -9,16 +9,16 @@
 namespace cell {
 namespace {
 
-SkillRequest::Kind KindOf(Skill::Kind kind) {
+ArmOrder::Kind KindOf(Skill::Kind kind) {
   switch (kind) {
     case Skill::Kind::kInsert:
-      return SkillRequest::Kind::kInsert;
+      return ArmOrder::Kind::kInsert;
     case Skill::Kind::kPresent:
-      return SkillRequest::Kind::kPresent;
+      return ArmOrder::Kind::kPresent;
     case Skill::Kind::kPutDown:
-      return SkillRequest::Kind::kPutDown;
+      return ArmOrder::Kind::kPutDown;
   }
-  return SkillRequest::Kind::kPutDown;
+  return ArmOrder::Kind::kPutDown;
 }
 
 }  // namespace
@@ -37,20 +37,20 @@ void Executor::Take(const SensedState& sensed) {
   if (!sensed_ || sensed.utime >= sensed_->utime) sensed_ = sensed;
 }
 
-void Executor::Take(const SkillResult& result) {
+void Executor::Take(const ArmOutcome& result) {
   const auto it = running_.find(result.arm);
   if (it == running_.end() || it->second.id != result.id) return;
-  const bool has_succeeded = result.outcome == SkillResult::Outcome::kSucceeded;
+  const bool has_succeeded = result.outcome == ArmOutcome::Outcome::kSucceeded;
   if (it->second.action) {
-    const bool counts = result.outcome != SkillResult::Outcome::kStopped;
+    const bool counts = result.outcome != ArmOutcome::Outcome::kStopped;
     End(result.arm, result.utime, counts,
         has_succeeded ? "it was reported as done, but is not" : result.reason);
     return;
   }
-  const bool is_home = it->second.kind == SkillRequest::Kind::kGoHome;
+  const bool is_home = it->second.kind == ArmOrder::Kind::kGoHome;
   End(result.arm, result.utime, false, "");
   if (has_succeeded && is_home) home_.insert(result.arm);
-  if (has_succeeded || result.outcome == SkillResult::Outcome::kStopped) return;
+  if (has_succeeded || result.outcome == ArmOutcome::Outcome::kStopped) return;
   if (++num_clearings_[result.arm] < params_.max_attempts) return;
   home_.insert(result.arm);
   left_over_ = result.reason;
@@ -70,7 +70,7 @@ void Executor::Pursue(Goal goal) {
   stuck_utime_.reset();
 }
 
-Orders Executor::Decide(Moment now) {
+Orders Executor::Decide(Instant now) {
   Orders orders;
   num_requests_ = 0;
   FindLostRequests();
@@ -88,7 +88,7 @@ Orders Executor::Decide(Moment now) {
 
 /// A life begins when all arms have come to rest: what an earlier one has asked
 /// for may still be under way.
-bool Executor::IsReady(Moment now) {
+bool Executor::IsReady(Instant now) {
   if (!arms_.HaveReportedSince(since_utime_)) return false;
   if (is_ready_) return true;
   if (!arms_.AreIdle()) return false;
@@ -97,7 +97,7 @@ bool Executor::IsReady(Moment now) {
   return true;
 }
 
-void Executor::Work(Moment now, Orders& orders) {
+void Executor::Work(Instant now, Orders& orders) {
   const auto& arms = arms_.arms();
   if (std::none_of(arms.begin(), arms.end(),
                    [this](int arm) { return IsFree(arm); })) {
@@ -143,7 +143,7 @@ const Plan& Executor::FindPlan(const State& state) {
   return plan_;
 }
 
-void Executor::Act(const Plan& plan, const State& state, Moment now,
+void Executor::Act(const Plan& plan, const State& state, Instant now,
                    Orders& orders) {
   for (const PlanStep& step : plan.steps) {
     if (IsRunning(step.action)) continue;
@@ -164,7 +164,7 @@ void Executor::Act(const Plan& plan, const State& state, Moment now,
 }
 
 /// Asks the person if there is no way; what cannot be decided may clear up.
-void Executor::WaitOrAsk(const Plan& plan, const State& state, Moment now,
+void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
                          Orders& orders) {
   if (plan.result == Plan::Result::kNoPlan) {
     if (!question_) question_ = QuestionAbout(plan, state);
@@ -197,22 +197,22 @@ std::string Executor::QuestionAbout(const Plan& no_plan,
 }
 
 void Executor::AskPerson(const std::string& text, std::vector<Wish> needed,
-                         Moment now, Orders& orders) {
+                         Instant now, Orders& orders) {
   if (!stuck_utime_) stuck_utime_ = now.utime;
   Tell({Execution::State::kStuck, "", text, std::move(needed)}, orders);
   Sense(now, params_.watch_period_us, orders);
 }
 
-void Executor::Sense(Moment now, int64_t period_us, Orders& orders) {
+void Executor::Sense(Instant now, int64_t period_us, Orders& orders) {
   if (asked_utime_ && now.utime - *asked_utime_ < period_us) return;
   asked_utime_ = now.utime;
   orders.sense = true;
 }
 
 bool Executor::IsFree(int arm) const {
-  const ArmReport* report = arms_.Of(arm);
+  const ArmStatus* report = arms_.Of(arm);
   return !running_.contains(arm) && report != nullptr &&
-         report->request == ArmReport::kIdle;
+         report->request == ArmStatus::kIdle;
 }
 
 bool Executor::IsRunning(const GroundAction& action) const {
@@ -242,14 +242,13 @@ bool Executor::MayRunBeside(const GroundAction& action,
 }
 
 void Executor::Request(const GroundAction& action, const State& state,
-                       Moment now, Orders& orders) {
+                       Instant now, Orders& orders) {
   const GroundSkill skill = *domain_.SkillOf(action);
-  SkillRequest request{0,          0,         skill.arm, KindOf(skill.kind),
-                       skill.part, skill.site};
+  ArmOrder request{0, 0, skill.arm, KindOf(skill.kind), skill.part, skill.site};
   Start(std::move(request), {.action = action, .before = state}, now, orders);
 }
 
-void Executor::Start(SkillRequest request, Running running, Moment now,
+void Executor::Start(ArmOrder request, Running running, Instant now,
                      Orders& orders) {
   constexpr int kMaxPerTick = 256;
   request.id = int64_t{now.tick} * kMaxPerTick + num_requests_++;
@@ -269,7 +268,7 @@ void Executor::Start(SkillRequest request, Running running, Moment now,
 void Executor::FindLostRequests() {
   std::vector<std::pair<int, int64_t>> lost;
   for (auto& [arm, running] : running_) {
-    const ArmReport* report = arms_.Of(arm);
+    const ArmStatus* report = arms_.Of(arm);
     if (report == nullptr || report->utime < running.asked_utime) continue;
     if (report->request == running.id) {
       running.asked_utime = report->utime;
@@ -293,15 +292,14 @@ void Executor::End(int arm, int64_t utime, bool counts,
 }
 
 /// The goal is reached: grippers are emptied, arms go home.
-void Executor::ClearUp(Moment now, Orders& orders) {
+void Executor::ClearUp(Instant now, Orders& orders) {
   bool is_clear = true;
   for (const int arm : arms_.arms()) {
     if (home_.contains(arm)) continue;
     is_clear = false;
     if (!IsFree(arm)) continue;
     const std::optional<int> held = arms_.Of(arm)->held;
-    const auto kind =
-        held ? SkillRequest::Kind::kPutDown : SkillRequest::Kind::kGoHome;
+    const auto kind = held ? ArmOrder::Kind::kPutDown : ArmOrder::Kind::kGoHome;
     Start({0, 0, arm, kind, held, std::nullopt},
           {.action = std::nullopt, .before = State(0)}, now, orders);
   }

@@ -42,9 +42,9 @@ class Executor {
            int64_t since_utime);
 
   void Take(const SensedState& sensed);
-  void Take(const ArmReport& report) { arms_.Take(report); }
+  void Take(const ArmStatus& report) { arms_.Take(report); }
   /// Of a request that is not ours: nothing happens.
-  void Take(const SkillResult& result);
+  void Take(const ArmOutcome& result);
   /// What somebody has moved while we were stuck may now go better.
   void Take(const DoneAction& action);
   /// Whether the cell's mode lets arms begin something.
@@ -52,40 +52,40 @@ class Executor {
   void Pursue(Goal goal);
 
   /// Once after all inputs of a moment.
-  Orders Decide(Moment now);
+  Orders Decide(Instant now);
 
  private:
   struct Running {
     int64_t id = 0;
     int64_t asked_utime = 0;  // or when the arm last said that it does it
-    SkillRequest::Kind kind = SkillRequest::Kind::kInsert;
+    ArmOrder::Kind kind = ArmOrder::Kind::kInsert;
     std::optional<GroundAction> action;  // nothing: clearing up
     std::optional<int> part;
     State before;
   };
   enum class Stage { kWorking, kClearingUp, kDone };
 
-  void Work(Moment now, Orders& orders);
+  void Work(Instant now, Orders& orders);
   void FindLostRequests();
   void End(int arm, int64_t utime, bool counts, const std::string& reason);
-  bool IsReady(Moment now);
-  void Sense(Moment now, int64_t period_us, Orders& orders);
+  bool IsReady(Instant now);
+  void Sense(Instant now, int64_t period_us, Orders& orders);
   const Plan& FindPlan(const State& state);
-  void Act(const Plan& plan, const State& state, Moment now, Orders& orders);
+  void Act(const Plan& plan, const State& state, Instant now, Orders& orders);
   bool IsFree(int arm) const;
   bool IsRunning(const GroundAction& action) const;
   bool IsForPerson(const GroundAction& action) const;
   bool MayRunBeside(const GroundAction& action, const State& state) const;
-  void Request(const GroundAction& action, const State& state, Moment now,
+  void Request(const GroundAction& action, const State& state, Instant now,
                Orders& orders);
   /// `running` needs no more than its action and the state before.
-  void Start(SkillRequest request, Running running, Moment now, Orders& orders);
-  void WaitOrAsk(const Plan& plan, const State& state, Moment now,
+  void Start(ArmOrder request, Running running, Instant now, Orders& orders);
+  void WaitOrAsk(const Plan& plan, const State& state, Instant now,
                  Orders& orders);
   std::string QuestionAbout(const Plan& no_plan, const State& state) const;
-  void AskPerson(const std::string& text, std::vector<Wish> needed, Moment now,
+  void AskPerson(const std::string& text, std::vector<Wish> needed, Instant now,
                  Orders& orders);
-  void ClearUp(Moment now, Orders& orders);
+  void ClearUp(Instant now, Orders& orders);
   void Tell(Execution execution, Orders& orders);
   std::string WhatRuns() const;
 

@@ -27,30 +27,30 @@ std::optional<std::vector<int>> ObjectsOf(const std::vector<std::string>& names,
   return objects;
 }
 
-std::optional<SkillResult::Outcome> OutcomeOf(int8_t code) {
+std::optional<ArmOutcome::Outcome> OutcomeOf(int8_t code) {
   switch (code) {
     case skill_result_t::SUCCEEDED:
-      return SkillResult::Outcome::kSucceeded;
+      return ArmOutcome::Outcome::kSucceeded;
     case skill_result_t::REFUSED:
-      return SkillResult::Outcome::kRefused;
+      return ArmOutcome::Outcome::kRefused;
     case skill_result_t::FAILED:
-      return SkillResult::Outcome::kFailed;
+      return ArmOutcome::Outcome::kFailed;
     case skill_result_t::STOPPED:
-      return SkillResult::Outcome::kStopped;
+      return ArmOutcome::Outcome::kStopped;
     default:
       return std::nullopt;
   }
 }
 
-int8_t CodeOf(SkillRequest::Kind kind) {
+int8_t CodeOf(ArmOrder::Kind kind) {
   switch (kind) {
-    case SkillRequest::Kind::kInsert:
+    case ArmOrder::Kind::kInsert:
       return skill_request_t::INSERT;
-    case SkillRequest::Kind::kPresent:
+    case ArmOrder::Kind::kPresent:
       return skill_request_t::PRESENT;
-    case SkillRequest::Kind::kPutDown:
+    case ArmOrder::Kind::kPutDown:
       return skill_request_t::PUT_DOWN;
-    case SkillRequest::Kind::kGoHome:
+    case ArmOrder::Kind::kGoHome:
       return skill_request_t::GO_HOME;
   }
   return skill_request_t::GO_HOME;
@@ -83,16 +83,16 @@ literal_t ToMessage(const Wish& wish, const Vocabulary& vocabulary) {
 
 }  // namespace
 
-std::optional<ArmReport> FromMessage(const arm_report_t& message,
+std::optional<ArmStatus> FromMessage(const arm_report_t& message,
                                      const Domain& domain, int64_t now) {
   const Vocabulary& vocabulary = domain.vocabulary();
   const auto arm = vocabulary.FindObject(message.arm);
   const auto reachable = ObjectsOf(message.reachable, vocabulary);
-  if (!arm || !reachable || message.request < ArmReport::kIdle ||
+  if (!arm || !reachable || message.request < ArmStatus::kIdle ||
       !IsTimeUntil(message.header.utime, now)) {
     return std::nullopt;
   }
-  ArmReport report{*arm, message.header.utime, message.request, std::nullopt,
+  ArmStatus report{*arm, message.header.utime, message.request, std::nullopt,
                    *reachable};
   if (message.held.empty()) return report;
   report.held = vocabulary.FindObject(message.held);
@@ -100,8 +100,8 @@ std::optional<ArmReport> FromMessage(const arm_report_t& message,
   return report;
 }
 
-std::optional<SkillResult> FromMessage(const skill_result_t& message,
-                                       const Domain& domain, int64_t now) {
+std::optional<ArmOutcome> FromMessage(const skill_result_t& message,
+                                      const Domain& domain, int64_t now) {
   const auto arm = domain.vocabulary().FindObject(message.arm);
   const auto outcome = OutcomeOf(message.outcome);
   if (!arm || !outcome || message.id < 0 ||
@@ -109,8 +109,8 @@ std::optional<SkillResult> FromMessage(const skill_result_t& message,
       !std::isfinite(message.peak_force) || message.peak_force < 0) {
     return std::nullopt;
   }
-  return SkillResult{message.id, message.header.utime, *arm, *outcome,
-                     message.reason};
+  return ArmOutcome{message.id, message.header.utime, *arm, *outcome,
+                    message.reason};
 }
 
 std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
@@ -125,7 +125,7 @@ std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
   return message.mode == motion_permit_t::EXECUTE;
 }
 
-skill_request_t ToMessage(const SkillRequest& request, const Domain& domain) {
+skill_request_t ToMessage(const ArmOrder& request, const Domain& domain) {
   const auto& objects = domain.vocabulary().objects();
   skill_request_t message{};
   message.id = request.id;

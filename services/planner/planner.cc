@@ -205,7 +205,7 @@ bool Planner::OnResult(const skill_result_t& message) {
 void Planner::Decide() {
   if (!executor_) return;
   const Orders orders = executor_->Decide({bus_.now(), bus_.tick()});
-  for (const SkillRequest& request : orders.requests) {
+  for (const ArmOrder& request : orders.requests) {
     skill_request_t message = ToMessage(request, params_.domain);
     message.header.utime = bus_.now();
     bus_.Publish("SKILL_REQUEST", message);

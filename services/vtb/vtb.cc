@@ -125,6 +125,7 @@ void Vtb::PublishEpisode(int8_t phase) {
   message.phase = phase;
   message.task = params_.task;
   message.goal = book_->goal;
+  message.agent = "person";
   message.demonstration = request_.demonstration;
   message.seed = static_cast<int64_t>(request_.seed);
   bus_.Publish("EPISODE", message);

@@ -101,7 +101,7 @@ class Bench : public testing::Test {
       const Orders orders = executor_->Decide(now_);
       is_sensing_ = orders.sense;
       if (orders.execution) told_.push_back(*orders.execution);
-      for (const SkillRequest& request : orders.requests) {
+      for (const ArmOrder& request : orders.requests) {
         EXPECT_TRUE(ids_.insert(request.id).second);
         asked_.push_back(Show(request));
         requests_.push_back(request);
@@ -114,12 +114,12 @@ class Bench : public testing::Test {
   }
   /// The skill that the arm does ends.
   void End(const std::string& name,
-           SkillResult::Outcome outcome = SkillResult::Outcome::kSucceeded,
+           ArmOutcome::Outcome outcome = ArmOutcome::Outcome::kSucceeded,
            const std::string& reason = "") {
     Arm& arm = arms_.at(name);
     ASSERT_NE(arm.request, -1);
     executor_->Take(
-        SkillResult{arm.request, now_.utime, Object(name), outcome, reason});
+        ArmOutcome{arm.request, now_.utime, Object(name), outcome, reason});
     arm.request = -1;
   }
   void Succeed(const std::string& arm, const std::string& becomes_true) {
@@ -127,11 +127,11 @@ class Bench : public testing::Test {
     End(arm);
   }
   void Fail(const std::string& arm, const std::string& reason) {
-    End(arm, SkillResult::Outcome::kFailed, reason);
+    End(arm, ArmOutcome::Outcome::kFailed, reason);
   }
 
-  ArmReport Report(const std::string& name, const Arm& arm) const {
-    ArmReport report{Object(name), now_.utime, arm.request, std::nullopt, {}};
+  ArmStatus Report(const std::string& name, const Arm& arm) const {
+    ArmStatus report{Object(name), now_.utime, arm.request, std::nullopt, {}};
     if (!arm.held.empty()) report.held = Object(arm.held);
     for (const auto& part : arm.reachable) {
       report.reachable.push_back(Object(part));
@@ -153,7 +153,7 @@ class Bench : public testing::Test {
   std::string Name(int object) const {
     return domain_.vocabulary().objects()[object].name;
   }
-  std::string Show(const SkillRequest& request) const {
+  std::string Show(const ArmOrder& request) const {
     static const std::vector<std::string> kKinds = {"insert", "present",
                                                     "put down", "go home"};
     std::string text =
@@ -171,10 +171,10 @@ class Bench : public testing::Test {
       {"left", {}}, {"right", {-1, "", {"bolt_1", "bolt_2", "lid"}}}};
   std::set<std::string> true_;
   std::set<std::string> unknown_;
-  Moment now_{1'000'000, 125};
+  Instant now_{1'000'000, 125};
   std::unique_ptr<Executor> executor_;
   std::vector<std::string> asked_;
-  std::vector<SkillRequest> requests_;
+  std::vector<ArmOrder> requests_;
   std::vector<Execution> told_;
   std::set<int64_t> ids_;
   bool is_sensing_ = false;
@@ -312,7 +312,7 @@ TEST_F(Bench, WhatIsReportedAsDoneButIsNotCountsAsAFailure) {
 TEST_F(Bench, WhatAHoldHasStoppedIsNoFailure) {
   Step(10);
   for (int i = 0; i < 5; ++i) {
-    End("right", SkillResult::Outcome::kStopped, "held");
+    End("right", ArmOutcome::Outcome::kStopped, "held");
     Step(10);
   }
   EXPECT_THAT(TakeAsked(),
@@ -500,10 +500,10 @@ TEST_F(Bench, RequestsCarryADeadline) {
 TEST_F(Bench, TheResultOfAnotherRequestChangesNothing) {
   Step(10);
   TakeAsked();
-  executor_->Take(SkillResult{77, now_.utime, Object("right"),
-                              SkillResult::Outcome::kFailed, "?"});
-  executor_->Take(SkillResult{requests_[0].id, now_.utime, Object("left"),
-                              SkillResult::Outcome::kFailed, "?"});
+  executor_->Take(ArmOutcome{77, now_.utime, Object("right"),
+                             ArmOutcome::Outcome::kFailed, "?"});
+  executor_->Take(ArmOutcome{requests_[0].id, now_.utime, Object("left"),
+                             ArmOutcome::Outcome::kFailed, "?"});
   Step(20);
   EXPECT_THAT(TakeAsked(), IsEmpty());
 }
