@@ -64,6 +64,7 @@ void Executor::Take(const DoneAction& action) {
 void Executor::Pursue(Goal goal) {
   goal_ = std::move(goal);
   search_.reset();
+  plan_ = {};
   attempts_.Clear();
   stage_ = Stage::kWorking;
   undecided_utime_.reset();
@@ -108,14 +109,15 @@ void Executor::Work(Instant now, Orders& orders) {
     return;
   }
   const State state = arms_.WithReports(sensed_->state);
+  // While something is under way the state may look odd: no new plan for it.
+  if (!running_.empty()) return PassOn(state, now, orders);
   attempts_.Update(state);
   const Plan& plan = FindPlan(state);
-  Monitor::PlanOfState of_state{sensed_->key_frame, sensed_->utime, plan};
   if (!told_plan_ || told_plan_->plan != plan) {
-    orders.plan = told_plan_ = std::move(of_state);
+    orders.plan = told_plan_ =
+        Monitor::PlanOfState{sensed_->key_frame, sensed_->utime, plan};
   }
   if (plan.result == Plan::Result::kFound) return Act(plan, state, now, orders);
-  if (!running_.empty()) return;  // what is under way may look odd
   if (plan.result == Plan::Result::kGoalReached) {
     stage_ = Stage::kClearingUp;
     home_.clear();
@@ -145,20 +147,23 @@ const Plan& Executor::FindPlan(const State& state) {
 
 void Executor::Act(const Plan& plan, const State& state, Instant now,
                    Orders& orders) {
-  for (const PlanStep& step : plan.steps) {
-    if (IsRunning(step.action)) continue;
-    if (!running_.empty()) {
-      if (!params_.parallel || !MayRunBeside(step.action, state)) continue;
-      Request(step.action, state, now, orders);
-      continue;
-    }
-    if (IsForPerson(step.action)) {
-      return AskPerson(AskForStep(step.action, domain_), {}, now, orders);
-    }
-    if (!IsSurelyPossible(domain_, step.action, state)) {
-      return WaitOrAsk(plan, state, now, orders);
-    }
-    if (!IsFree(domain_.SkillOf(step.action)->arm)) return;
+  const GroundAction& action = plan.steps.at(0).action;
+  if (IsForPerson(action)) {
+    return AskPerson(AskForStep(action, domain_), {}, now, orders);
+  }
+  if (!IsSurelyPossible(domain_, action, state)) {
+    return WaitOrAsk(plan, state, now, orders);
+  }
+  if (!IsFree(domain_.SkillOf(action)->arm)) return;
+  Request(action, state, now, orders);
+  PassOn(state, now, orders);
+}
+
+/// Lets another arm do what the plan wants passed on later.
+void Executor::PassOn(const State& state, Instant now, Orders& orders) {
+  if (!params_.parallel) return;
+  for (const PlanStep& step : plan_.steps) {
+    if (!MayRunBeside(step.action, state)) continue;
     Request(step.action, state, now, orders);
   }
 }
@@ -167,7 +172,10 @@ void Executor::Act(const Plan& plan, const State& state, Instant now,
 void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
                          Orders& orders) {
   if (plan.result == Plan::Result::kNoPlan) {
-    if (!question_) question_ = QuestionAbout(plan, state);
+    if (!question_) {
+      question_ = AskForHelp(
+          plan, state, PlanSearch(domain_, goal_, params_.search), attempts_);
+    }
     return AskPerson(*question_, plan.needed, now, orders);
   }
   if (!undecided_utime_) undecided_utime_ = now.utime;
@@ -180,20 +188,6 @@ void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
                      {}, now, orders);
   }
   Sense(now, params_.sense_period_us, orders);
-}
-
-/// If all would be well without what has failed, that is the trouble.
-std::string Executor::QuestionAbout(const Plan& no_plan,
-                                    const State& state) const {
-  if (!attempts_.Blocked().empty()) {
-    const Plan plan = PlanSearch(domain_, goal_, params_.search).Find(state);
-    const Attempts::Entry* failed =
-        plan.steps.empty() ? nullptr : attempts_.Of(plan.steps[0].action);
-    if (failed != nullptr) {
-      return AskAfterFailures(plan.steps[0].action, *failed, domain_);
-    }
-  }
-  return AskForWishes(no_plan, state, domain_);
 }
 
 void Executor::AskPerson(const std::string& text, std::vector<Wish> needed,
@@ -215,23 +209,17 @@ bool Executor::IsFree(int arm) const {
          report->request == ArmStatus::kIdle;
 }
 
-bool Executor::IsRunning(const GroundAction& action) const {
-  return std::any_of(running_.begin(), running_.end(), [&](const auto& entry) {
-    return entry.second.action == action;
-  });
-}
-
 bool Executor::IsForPerson(const GroundAction& action) const {
   return params_.help_steps.contains(action) || !domain_.SkillOf(action);
 }
 
-/// What the plan wants passed on later, if it neither concerns what the other
-/// arms work at nor changes that they can.
+/// If it neither concerns what the other arms work at nor keeps them from it.
 bool Executor::MayRunBeside(const GroundAction& action,
                             const State& state) const {
   const auto skill = domain_.SkillOf(action);
   if (IsForPerson(action) || skill->kind != Skill::Kind::kPresent ||
-      !IsFree(skill->arm) || !IsSurelyPossible(domain_, action, state)) {
+      !IsFree(skill->arm) || attempts_.Blocked().contains(action) ||
+      !IsSurelyPossible(domain_, action, state)) {
     return false;
   }
   return std::all_of(running_.begin(), running_.end(), [&](const auto& entry) {

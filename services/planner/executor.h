@@ -49,6 +49,7 @@ class Executor {
   void Take(const DoneAction& action);
   /// Whether the cell's mode lets arms begin something.
   void Permit(bool may_act) { may_act_ = may_act; }
+  /// From the end of what runs on.
   void Pursue(Goal goal);
 
   /// Once after all inputs of a moment.
@@ -72,8 +73,8 @@ class Executor {
   void Sense(Instant now, int64_t period_us, Orders& orders);
   const Plan& FindPlan(const State& state);
   void Act(const Plan& plan, const State& state, Instant now, Orders& orders);
+  void PassOn(const State& state, Instant now, Orders& orders);
   bool IsFree(int arm) const;
-  bool IsRunning(const GroundAction& action) const;
   bool IsForPerson(const GroundAction& action) const;
   bool MayRunBeside(const GroundAction& action, const State& state) const;
   void Request(const GroundAction& action, const State& state, Instant now,
@@ -82,7 +83,6 @@ class Executor {
   void Start(ArmOrder request, Running running, Instant now, Orders& orders);
   void WaitOrAsk(const Plan& plan, const State& state, Instant now,
                  Orders& orders);
-  std::string QuestionAbout(const Plan& no_plan, const State& state) const;
   void AskPerson(const std::string& text, std::vector<Wish> needed, Instant now,
                  Orders& orders);
   void ClearUp(Instant now, Orders& orders);

@@ -39,8 +39,6 @@ std::string AskForReach(const Wish& wish, const State& state,
                      OutOfWhoseReach(atom, state, vocabulary));
 }
 
-}  // namespace
-
 std::string AskForWishes(const Plan& no_plan, const State& state,
                          const Domain& domain) {
   const Vocabulary& vocabulary = domain.vocabulary();
@@ -64,6 +62,22 @@ std::string AskAfterFailures(const GroundAction& action,
   return fmt::format(
       "{} has failed {} times: {}; please do it, or change what hinders it",
       domain.Show(action), attempts.count, attempts.reason);
+}
+
+}  // namespace
+
+std::string AskForHelp(const Plan& no_plan, const State& state,
+                       PlanSearch unblocked, const Attempts& attempts) {
+  const Domain& domain = unblocked.domain();
+  if (!attempts.Blocked().empty()) {
+    const Plan plan = unblocked.Find(state);
+    const Attempts::Entry* failed =
+        plan.steps.empty() ? nullptr : attempts.Of(plan.steps[0].action);
+    if (failed != nullptr) {
+      return AskAfterFailures(plan.steps[0].action, *failed, domain);
+    }
+  }
+  return AskForWishes(no_plan, state, domain);
 }
 
 std::string AskForStep(const GroundAction& action, const Domain& domain) {

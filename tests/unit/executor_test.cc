@@ -277,6 +277,40 @@ TEST_F(Bench, TriesSomethingElseAfterThreeFailures) {
   EXPECT_EQ(TakeAsked().back(), "right: insert bolt_1 at hole_2");
 }
 
+// Under way the hole looks filled, or the part lost.
+TEST_F(Bench, WhatIsSensedUnderWayNeitherPlansNorForgetsFailures) {
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(10);
+  for (int i = 0; i < 3; ++i) {
+    true_ = {"In(bolt_1, hole_1)"};
+    executor_->Take(SensedState{0, now_.utime, Sensed()});
+    Step();
+    true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+    Fail("right", "the lid is bent");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
+  EXPECT_EQ(told_.back().state, Execution::State::kStuck);
+}
+
+TEST_F(Bench, PassesOnOneAfterTheOtherWhileSomethingIsInserted) {
+  arms_["right"].reachable = {"bolt_1"};
+  arms_["left"].reachable = {"bolt_2", "lid"};
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1",
+                                       "left: present bolt_2"));
+  arms_["right"].reachable.insert("bolt_2");
+  End("left");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("left: present lid"));
+  for (int i = 0; i < 5; ++i) {
+    if (arms_["left"].request >= 0) Fail("left", "it slipped");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(),
+              ElementsAre("left: present lid", "left: present lid"));
+}
+
 TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(10);
