@@ -17,7 +17,7 @@ void PassOver(const Config& config) {
 
 /// False if no rule can ever apply to the arguments.
 bool IsPossible(const Action& action, const Binding& arguments,
-                const Vocabulary& vocabulary) {
+                const Vocabulary& vocabulary, Agent agent) {
   const State nothing(vocabulary.num_atoms());
   const auto is_of_arguments = [&](const Literal& literal) {
     return std::all_of(literal.terms.begin(), literal.terms.end(),
@@ -28,7 +28,8 @@ bool IsPossible(const Action& action, const Binding& arguments,
   };
   return std::any_of(
       action.rules.begin(), action.rules.end(), [&](const NdrRule& rule) {
-        return std::all_of(rule.context.begin(), rule.context.end(),
+        return rule.IsFor(agent) &&
+               std::all_of(rule.context.begin(), rule.context.end(),
                            [&](const Literal& l) {
                              return !l.is_static || !is_of_arguments(l) ||
                                     MayHold(l, arguments, nothing, vocabulary);
@@ -36,12 +37,12 @@ bool IsPossible(const Action& action, const Binding& arguments,
       });
 }
 
-void AddGroundActions(const Domain& domain, int action, Binding& arguments,
-                      std::vector<GroundAction>& found) {
+void AddGroundActions(const Domain& domain, int action, Agent agent,
+                      Binding& arguments, std::vector<GroundAction>& found) {
   const Action& lifted = domain.actions()[action];
   const Vocabulary& vocabulary = domain.vocabulary();
   if (arguments.size() == lifted.arguments.size()) {
-    if (IsPossible(lifted, arguments, vocabulary)) {
+    if (IsPossible(lifted, arguments, vocabulary, agent)) {
       found.push_back({action, arguments});
     }
     return;
@@ -49,7 +50,7 @@ void AddGroundActions(const Domain& domain, int action, Binding& arguments,
   const int type = lifted.arguments[arguments.size()].type;
   for (const int object : vocabulary.ObjectsOf(type)) {
     arguments.push_back(object);
-    AddGroundActions(domain, action, arguments, found);
+    AddGroundActions(domain, action, agent, arguments, found);
     arguments.pop_back();
   }
 }
@@ -86,7 +87,7 @@ std::vector<GroundAction> Domain::GroundActions(Agent agent) const {
   for (size_t i = 0; i < actions_.size(); ++i) {
     Binding arguments;
     if (actions_[i].MayBeDoneBy(agent)) {
-      AddGroundActions(*this, static_cast<int>(i), arguments, found);
+      AddGroundActions(*this, static_cast<int>(i), agent, arguments, found);
     }
   }
   return found;
@@ -107,6 +108,12 @@ std::optional<GroundAction> Domain::FindGroundAction(
     ground.arguments.push_back(*object);
   }
   return ground;
+}
+
+std::optional<GroundSkill> Domain::SkillOf(const GroundAction& action) const {
+  const std::optional<Skill>& skill = actions_.at(action.action).skill;
+  if (!skill) return std::nullopt;
+  return Bind(*skill, action.arguments);
 }
 
 std::string Domain::Show(const GroundAction& action) const {

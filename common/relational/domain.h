@@ -23,6 +23,7 @@ struct Goal {
 ///     near: {arguments: [hole, hole], facts: [[a.h, b.h]]}
 ///   predicates:
 ///     InHole: {arguments: [bolt, hole], geometry: ...}
+///     Held: {arguments: [part, arm], reported: held}      # or reachable
 ///   actions:
 ///     Insert:
 ///       arguments: {X: bolt, Y: hole}
@@ -38,6 +39,11 @@ struct Goal {
 ///                 - InHole(X, Y)
 ///                 - {each: {U: part}, where: [On(U, X)], then: [Hot(U)]}
 ///           noise: 0.05
+///       skill: {kind: insert, part: X, site: Y, arm: right}   # optional
+///       # Optional: what a robot needs besides, one of these; and what its
+///       # success changes besides.
+///       robot:
+///         - {context: [Held(X, right)], effects: [not Held(X, right)]}
 ///   goals:
 ///     done: [InHole(_, a.h)]
 class Domain {
@@ -61,6 +67,8 @@ class Domain {
   /// All combinations of objects that the arguments' types allow and for which
   /// some rule's static literals hold; in the order of actions and objects.
   std::vector<GroundAction> GroundActions(Agent agent) const;
+  /// How an arm does it; nothing if none can.
+  std::optional<GroundSkill> SkillOf(const GroundAction& action) const;
   /// The action with these objects; nothing unless names, number and types
   /// are right.
   std::optional<GroundAction> FindGroundAction(

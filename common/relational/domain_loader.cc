@@ -143,6 +143,56 @@ std::vector<Agent> LoadAgents(const Config& action) {
   return agents;
 }
 
+/// What a robot's rule needs and does besides; see Domain.
+struct Addition {
+  std::vector<Literal> context;
+  Effect effect;
+};
+
+std::vector<Addition> LoadAdditions(const Config& action,
+                                    const Vocabulary& vocabulary,
+                                    const std::vector<Variable>& arguments) {
+  std::vector<Addition> additions;
+  for (const Config& item : action["robot"].Items()) {
+    Addition addition;
+    addition.context = ParseLiterals(item["context"], vocabulary, arguments);
+    addition.effect.then =
+        LoadChanges(item["effects"].Items(), vocabulary, arguments);
+    additions.push_back(std::move(addition));
+  }
+  if (additions.empty()) action["robot"].Fail("allows the robot nothing");
+  return additions;
+}
+
+NdrRule WithAddition(NdrRule rule, const Addition& addition) {
+  rule.agents = {Agent::kRobot};
+  rule.context.insert(rule.context.end(), addition.context.begin(),
+                      addition.context.end());
+  for (Outcome& outcome : rule.outcomes) {
+    outcome.effects.push_back(addition.effect);
+  }
+  return rule;
+}
+
+/// The rules as they stand for the person, and for the robot each of them with
+/// each addition.
+void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
+                   Action& action) {
+  if (!action.MayBeDoneBy(Agent::kRobot)) {
+    config["robot"].Fail("the robot is none of the action's agents");
+  }
+  const std::vector<Addition> additions =
+      LoadAdditions(config, vocabulary, action.arguments);
+  std::vector<NdrRule> rules;
+  for (NdrRule& rule : action.rules) {
+    for (const Addition& addition : additions) {
+      rules.push_back(WithAddition(rule, addition));
+    }
+    std::erase(rule.agents, Agent::kRobot);
+  }
+  action.rules.insert(action.rules.end(), rules.begin(), rules.end());
+}
+
 Action LoadAction(const std::string& name, const Config& config,
                   const Vocabulary& vocabulary) {
   Action action;
@@ -152,6 +202,15 @@ Action LoadAction(const std::string& name, const Config& config,
   action.agents = LoadAgents(config);
   for (const Config& item : config["rules"].Items()) {
     action.rules.push_back(LoadRule(item, vocabulary, action.arguments));
+    action.rules.back().agents = action.agents;
+  }
+  if (config.Has("robot")) AddRobotRules(config, vocabulary, action);
+  if (config.Has("skill")) {
+    action.skill =
+        Skill::FromConfig(config["skill"], vocabulary, action.arguments);
+    if (!action.MayBeDoneBy(Agent::kRobot)) {
+      config["skill"].Fail("the robot is none of the action's agents");
+    }
   }
   if (config.Has("sec")) action.sec.emplace(config["sec"]);
   return action;

@@ -135,6 +135,13 @@ Truth TruthOfAtom(const Literal& literal, const Binding& binding,
 
 }  // namespace
 
+Term ParseTerm(const Config& config, int type, const Vocabulary& vocabulary,
+               std::span<const Variable> variables) {
+  const auto word = config.As<std::string>();
+  if (word.empty()) config.Fail("is empty");
+  return ParseTerm(word, type, config, vocabulary, variables);
+}
+
 Literal ParseLiteral(const Config& config, const Vocabulary& vocabulary,
                      std::span<const Variable> variables) {
   const Words words = Split(config);

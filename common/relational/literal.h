@@ -17,7 +17,7 @@ struct Term {
     kObject,    ///< index: of the vocabulary
     kAny        ///< `_`: some object; of a negated literal: none
   };
-  Kind kind;
+  Kind kind = Kind::kAny;
   int index = 0;
   bool operator==(const Term&) const = default;
 };
@@ -39,6 +39,11 @@ struct Variable {
 
 /// Objects for the first variables of a rule, in their order.
 using Binding = std::vector<int>;
+
+/// Reads "X", "table.top" or "_": a term of the type or a narrower one.
+/// @throws ConfigError for unknown words and wrong types.
+Term ParseTerm(const Config& config, int type, const Vocabulary& vocabulary,
+               std::span<const Variable> variables);
 
 /// Reads "Clear(X)", "not On(_, X)", "fits(X, table.top)". Variables begin with
 /// a capital letter, objects do not.

@@ -37,15 +37,21 @@ void BindEach(const Effect& effect, size_t next, Binding& binding,
 
 }  // namespace
 
+bool NdrRule::IsFor(Agent agent) const {
+  return std::find(agents.begin(), agents.end(), agent) != agents.end();
+}
+
 bool Action::MayBeDoneBy(Agent agent) const {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
 }
 
 std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
-                            const State& state, const Vocabulary& vocabulary) {
+                            const State& state, const Vocabulary& vocabulary,
+                            Agent agent) {
   std::vector<Cover> covers;
   for (size_t i = 0; i < action.rules.size(); ++i) {
     const NdrRule& rule = action.rules[i];
+    if (!rule.IsFor(agent)) continue;
     Binding binding = arguments;
     if (BindReferences(rule, state, vocabulary, binding) &&
         MayHold(rule.context, binding, state, vocabulary)) {

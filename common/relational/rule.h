@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "common/relational/literal.h"
+#include "common/relational/skill.h"
 
 namespace cell {
+
+/// Who can do an action.
+enum class Agent { kPerson, kRobot };
 
 /// Literals that become true. With `each`, for every binding of these
 /// variables for which `where` held before the action.
@@ -34,24 +38,25 @@ struct DeicticReference {
 /// the paper's Fig. 10). Its variables are the action's arguments, then those
 /// of the references, in their order, then those of an effect's `each`.
 struct NdrRule {
+  std::vector<Agent> agents;  ///< for whom it holds
   std::vector<DeicticReference> references;
   std::vector<Literal> context;
   std::vector<Outcome> outcomes;
   /// Probability that something not modelled happens; for planning: nothing.
   double noise = 0;
+
+  bool IsFor(Agent agent) const;
 };
 
-/// Who can do an action.
-enum class Agent { kPerson, kRobot };
-
 /// An action with typed arguments and its rules. In each state at most one of
-/// them should cover it.
+/// an agent's should cover it.
 struct Action {
   std::string name;
   std::vector<Variable> arguments;
   std::vector<Agent> agents;
   std::optional<int> undoes;  ///< the action of which it is the reverse
   std::vector<NdrRule> rules;
+  std::optional<Skill> skill;  ///< how an arm does it
   /// How it is recognised. Not read here: the recognizer reads it, all others
   /// call Domain::PassOverSec().
   std::optional<Config> sec;
@@ -72,12 +77,13 @@ struct Cover {
   Binding binding;
 };
 
-/// All rules of `action` that may cover `state`, of which some atoms may be
-/// unknown (see MayHold). In a state that is known throughout, the action does
-/// what the rule says if there is exactly one; if not, the default rule
-/// applies: nothing changes.
+/// All rules of `action` for `agent` that may cover `state`, of which some
+/// atoms may be unknown (see MayHold). In a state that is known throughout, the
+/// action does what the rule says if there is exactly one; if not, the default
+/// rule applies: nothing changes.
 std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
-                            const State& state, const Vocabulary& vocabulary);
+                            const State& state, const Vocabulary& vocabulary,
+                            Agent agent);
 
 /// The state after the outcome. Of contradicting effects the later one counts.
 State After(const Outcome& outcome, const Binding& binding, const State& before,

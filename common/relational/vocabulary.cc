@@ -154,9 +154,7 @@ void Vocabulary::AddPredicates(const Config& domain) {
   }
   for (const auto& [name, node] : entries) {
     CheckIsNew(name, node);
-    Predicate predicate{name, TypesOf(node["arguments"]), {}};
-    if (node.Has("geometry")) predicate.geometry.emplace(node["geometry"]);
-    predicates_.push_back(std::move(predicate));
+    predicates_.push_back(LoadPredicate(name, node));
   }
   for (const Predicate& predicate : predicates_) {
     first_atom_.push_back(num_atoms_);
@@ -172,6 +170,27 @@ void Vocabulary::AddPredicates(const Config& domain) {
     }
     num_atoms_ += static_cast<int>(num);
   }
+}
+
+Predicate Vocabulary::LoadPredicate(const std::string& name,
+                                    const Config& config) const {
+  Predicate predicate{name, TypesOf(config["arguments"]), {}, {}};
+  if (config.Has("geometry")) predicate.geometry.emplace(config["geometry"]);
+  if (!config.Has("reported")) return predicate;
+  const Config reported = config["reported"];
+  const auto kind = reported.As<std::string>();
+  if (kind != "held" && kind != "reachable") {
+    reported.Fail("'" + kind + "' is neither held nor reachable");
+  }
+  if (predicate.argument_types.size() != 2) {
+    config["arguments"].Fail("what arms report has two arguments");
+  }
+  if (predicate.geometry) {
+    reported.Fail("what arms report is not sensed: no geometry");
+  }
+  predicate.report =
+      kind == "held" ? Predicate::Report::kHeld : Predicate::Report::kReachable;
+  return predicate;
 }
 
 void Vocabulary::CheckIsNew(const std::string& name,

@@ -20,8 +20,14 @@ struct Object {
 
 /// A relation that the world may change (section V-C).
 struct Predicate {
+  /// What an arm says of itself, where no geometry could tell.
+  enum class Report {
+    kHeld,      ///< (part, arm): it is in the arm's gripper
+    kReachable  ///< (arm, part): the arm could take it, or holds it
+  };
   std::string name;
   std::vector<int> argument_types;
+  std::optional<Report> report;  ///< nothing: it is sensed
   /// How it is sensed. Not read here: the estimator of predicates reads it,
   /// all others call Domain::PassOverGeometry().
   std::optional<Config> geometry;
@@ -86,6 +92,7 @@ class Vocabulary {
   void AddObjects(const Config& domain, const PartTable& parts);
   void AddStatics(const Config& domain, const PartTable& parts);
   void AddPredicates(const Config& domain);
+  Predicate LoadPredicate(const std::string& name, const Config& config) const;
   void AddStaticsOfTypes();
   int TypeOf(const std::string& name, const Config& config) const;
   std::vector<int> TypesOf(const Config& names) const;

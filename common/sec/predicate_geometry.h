@@ -44,12 +44,16 @@ struct FreeSpaceGeometry {
   std::vector<Way> ways;  ///< in S, of each object of the argument's type
 };
 
-using PredicateGeometry = std::variant<SeatedGeometry, TiltedGeometry,
-                                       GraspableGeometry, FreeSpaceGeometry>;
+/// No geometry tells: the arms report it.
+struct ReportedGeometry {};
+
+using PredicateGeometry =
+    std::variant<SeatedGeometry, TiltedGeometry, GraspableGeometry,
+                 FreeSpaceGeometry, ReportedGeometry>;
 
 /// Reads the block of a predicate; sites point into `parts`.
-/// @throws ConfigError for a predicate without a block, of more than one kind,
-/// or with arguments that do not suit it.
+/// @throws ConfigError for a sensed predicate without a block, of more than one
+/// kind, or with arguments that do not suit it.
 PredicateGeometry ReadGeometry(const Predicate& predicate,
                                const Vocabulary& vocabulary,
                                const PartTable& parts,

@@ -147,6 +147,12 @@ Truth PredicateSensor::Sense(const FreeSpaceGeometry& space,
   return truth;
 }
 
+Truth PredicateSensor::Sense(const ReportedGeometry& /*reported*/,
+                             const GroundAtom& /*atom*/,
+                             const View& /*view*/) const {
+  return Truth::kUnknown;
+}
+
 std::vector<size_t> PredicateSensor::PartsOver(size_t part,
                                                const View& view) const {
   const Isometry3d& X_WO = view.scene.items[part].X_WO;

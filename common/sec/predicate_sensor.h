@@ -18,7 +18,7 @@ namespace cell {
 /// the domain gives them: a function of that scene alone, nothing is
 /// remembered (section VII-B). A part that a hand carries - held, and not
 /// seated anywhere - is in nobody's way. What depends on a part that is not
-/// tracked is unknown.
+/// tracked is unknown, and so is what arms report.
 class PredicateSensor {
  public:
   /// @throws ConfigError as ReadGeometry does.
@@ -47,6 +47,8 @@ class PredicateSensor {
   Truth Sense(const GraspableGeometry& graspable, const GroundAtom& atom,
               const View& view) const;
   Truth Sense(const FreeSpaceGeometry& space, const GroundAtom& atom,
+              const View& view) const;
+  Truth Sense(const ReportedGeometry& reported, const GroundAtom& atom,
               const View& view) const;
   /// Parts that lie over `part`: all of them are higher than its middle.
   std::vector<size_t> PartsOver(size_t part, const View& view) const;

@@ -12,7 +12,7 @@ namespace cell {
 using Action = std::function<int()>;
 
 // Each adds one subcommand to the command line and, if it is chosen, sets
-// `action`. One file per command.
+// `action`. One file per command; hold and resume share one.
 void AddDemo(CLI::App& app, Action* action);
 void AddSim(CLI::App& app, Action* action);
 void AddReplay(CLI::App& app, Action* action);
@@ -20,5 +20,8 @@ void AddDiff(CLI::App& app, Action* action);
 void AddEval(CLI::App& app, Action* action);
 void AddView(CLI::App& app, Action* action);
 void AddEpisode(CLI::App& app, Action* action);
+void AddHold(CLI::App& app, Action* action);
+void AddResume(CLI::App& app, Action* action);
+void AddGoal(CLI::App& app, Action* action);
 
 }  // namespace cell

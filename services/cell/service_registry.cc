@@ -8,6 +8,7 @@
 #include "services/recorder/recorder.h"
 #include "services/robot_arm/robot_arm.h"
 #include "services/sec_builder/sec_builder.h"
+#include "services/supervisor/supervisor.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 
@@ -31,6 +32,7 @@ std::map<std::string, ServiceFactory> AllServices(
       {"recognizer", of(MakeRecognizer)},
       {"predicate_estimator", of(MakePredicateEstimator)},
       {"planner", of(MakePlanner)},
+      {"supervisor", of(MakeSupervisor)},
       {"recorder", of(MakeRecorder)},
   };
   const CellLayout layout =

@@ -23,11 +23,13 @@ std::vector<int> ConstantAtoms(const StateSpace& space,
 
 /// True if a rule of the action has the atom in its context with this truth.
 /// Literals over deictic variables are left out: nobody knows their objects.
-bool Needs(const Domain& domain, const GroundAction& action, int atom,
+bool Needs(const StateSpace& space, const GroundAction& action, int atom,
            Truth truth) {
+  const Domain& domain = space.domain();
   const Action& lifted = domain.actions()[action.action];
   const int num_arguments = static_cast<int>(action.arguments.size());
   for (const NdrRule& rule : lifted.rules) {
+    if (!rule.IsFor(space.agent())) continue;
     for (const Literal& literal : rule.context) {
       const bool is_bound = std::all_of(
           literal.terms.begin(), literal.terms.end(), [&](const Term& term) {
@@ -64,10 +66,16 @@ std::vector<int> Obstacles(const StateSpace& space, int state,
   for (const int atom : ConstantAtoms(space, space.ReachableFrom(state))) {
     if (goal_predicates.contains(vocabulary.Atom(atom).predicate)) continue;
     const Truth wanted = Opposite(space.state(state).Get(atom));
+    const Predicate& predicate =
+        vocabulary.predicates()[vocabulary.Atom(atom).predicate];
+    if (predicate.report == Predicate::Report::kHeld &&
+        wanted == Truth::kTrue) {
+      continue;
+    }
     const bool is_needed =
         std::any_of(space.actions().begin(), space.actions().end(),
                     [&](const GroundAction& action) {
-                      return Needs(space.domain(), action, atom, wanted);
+                      return Needs(space, action, atom, wanted);
                     });
     if (is_needed) obstacles.push_back(atom);
   }
@@ -121,13 +129,14 @@ std::string MissingLiterals(const StateSpace& space, int state,
 
 /// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
 /// true"
-std::string Complaint(const Domain& domain, const State& state, int atom,
+std::string Complaint(const StateSpace& space, const State& state, int atom,
                       const std::vector<PlanStep>& steps) {
+  const Domain& domain = space.domain();
   const bool is_true = state.Get(atom) == Truth::kTrue;
   const std::string name = domain.vocabulary().AtomName(atom);
   const auto step =
       std::find_if(steps.begin(), steps.end(), [&](const PlanStep& s) {
-        return Needs(domain, s.action, atom, Opposite(state.Get(atom)));
+        return Needs(space, s.action, atom, Opposite(state.Get(atom)));
       });
   std::string text;
   if (step != steps.end()) text = domain.Show(step->action) + " needs ";
@@ -138,19 +147,23 @@ std::string Complaint(const Domain& domain, const State& state, int atom,
 
 }  // namespace
 
-std::string ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
-                          const std::function<Plan(const State&)>& solve) {
+Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
+                     const std::function<Plan(const State&)>& solve) {
   const State& here = space.state(state);
-  std::string text =
-      "cannot be reached: " + MissingLiterals(space, state, goal);
+  Excuse because{"cannot be reached: " + MissingLiterals(space, state, goal),
+                 {}};
   const std::vector<int> excuse =
       LeastExcuse(here, Obstacles(space, state, goal), solve);
-  if (excuse.empty()) return text + "; no action leads there";
+  if (excuse.empty()) {
+    because.text += "; no action leads there";
+    return because;
+  }
   const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
   for (const int atom : excuse) {
-    text += "; " + Complaint(space.domain(), here, atom, steps);
+    because.text += "; " + Complaint(space, here, atom, steps);
+    because.needed.push_back({atom, Opposite(here.Get(atom))});
   }
-  return text;
+  return because;
 }
 
 }  // namespace cell

@@ -9,12 +9,18 @@
 
 namespace cell {
 
+struct Excuse {
+  std::string text;
+  std::vector<Wish> needed;  ///< empty: nothing that could be wished for
+};
+
 /// Plain words for why `goal` cannot be reached from `state` of the space: the
 /// goal's literals that no reachable state has together with the others, and
 /// an excuse (section VI-B1): a least set of atoms that, were they otherwise,
-/// would allow a plan, with the action that needs them.
+/// would allow a plan, with the action that needs them. Nobody can be asked to
+/// put something into a gripper.
 /// `solve` finds the plan for a state.
-std::string ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
-                          const std::function<Plan(const State&)>& solve);
+Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
+                     const std::function<Plan(const State&)>& solve);
 
 }  // namespace cell

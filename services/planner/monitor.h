@@ -27,6 +27,7 @@ struct DoneAction {
   int64_t place_key_frame = 0;
   std::vector<int> objects;  ///< that it concerned
   std::string text;          ///< "Insert(bolt_1, frame.hole_1)"
+  int64_t pick_utime = 0;    ///< [us]
 };
 
 struct Alert {

@@ -14,6 +14,13 @@ struct PlanStep {
   bool operator==(const PlanStep&) const = default;
 };
 
+/// A ground atom, and what it would have to be.
+struct Wish {
+  int atom = 0;
+  Truth truth = Truth::kTrue;
+  bool operator==(const Wish&) const = default;
+};
+
 /// The best way to a goal: the highest probability of reaching it, then the
 /// fewest actions to be expected.
 struct Plan {
@@ -24,7 +31,8 @@ struct Plan {
     kUndecided  ///< depends on atoms that are unknown, or is too large
   };
   Result result = Result::kUndecided;
-  std::string reason;  ///< in plain words, if there is no plan
+  std::string reason;        ///< in plain words, if there is no plan
+  std::vector<Wish> needed;  ///< what would allow one, if something would
   double probability = 0;
   double expected_actions = 0;  ///< given that the goal is reached
   std::vector<PlanStep> steps;  ///< the most likely course

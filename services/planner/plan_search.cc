@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "services/planner/excuse.h"
-
 namespace cell {
 namespace {
 
@@ -22,7 +20,9 @@ double Rounded(double value) {
 }  // namespace
 
 PlanSearch::PlanSearch(const Domain& domain, Goal goal, const Params& params)
-    : goal_(std::move(goal)), params_(params), space_(domain, params.agent) {}
+    : goal_(std::move(goal)),
+      params_(params),
+      space_(domain, params.agent, params.blocked) {}
 
 Plan PlanSearch::Find(const State& state) {
   Plan plan = Solve(state.UnknownAsFalse());
@@ -39,7 +39,9 @@ Plan PlanSearch::Find(const State& state) {
     plan.result = Plan::Result::kUndecided;
     plan.reason = WhyUndecided(state);
   } else {
-    plan.reason = WhyNoPlan(state.UnknownAsFalse());
+    Excuse excuse = WhyNoPlan(state.UnknownAsFalse());
+    plan.reason = std::move(excuse.text);
+    plan.needed = std::move(excuse.needed);
   }
   return plan;
 }
@@ -138,11 +140,11 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
   return next;
 }
 
-std::string PlanSearch::WhyNoPlan(const State& state) {
+Excuse PlanSearch::WhyNoPlan(const State& state) {
   // Looked up anew, since the questions of an excuse may fill the space.
-  StateSpace space(domain(), params_.agent);
+  StateSpace space(domain(), params_.agent, params_.blocked);
   const std::optional<int> s = space.Enter(state, params_.max_states);
-  if (!s) return "too many states to explain";
+  if (!s) return {"too many states to explain", {}};
   return ExplainNoPlan(space, *s, goal_,
                        [this](const State& other) { return Solve(other); });
 }

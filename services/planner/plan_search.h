@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "services/planner/excuse.h"
 #include "services/planner/goal_values.h"
 #include "services/planner/plan.h"
 #include "services/planner/state_space.h"
@@ -15,7 +17,8 @@ namespace cell {
 class PlanSearch {
  public:
   struct Params {
-    Agent agent = Agent::kPerson;  ///< who acts
+    Agent agent = Agent::kPerson;    ///< who acts
+    std::set<GroundAction> blocked;  ///< not to be counted on
     /// More reachable states than these: undecided. 100 bytes to 1 kB each.
     int max_states = 100'000;
   };
@@ -28,6 +31,7 @@ class PlanSearch {
   Plan Find(const State& state);
 
   const Domain& domain() const { return space_.domain(); }
+  const Params& params() const { return params_; }
   int num_states() const { return space_.size(); }
 
  private:
@@ -38,7 +42,7 @@ class PlanSearch {
   bool IsReached(const State& state) const;
   std::vector<PlanStep> LikelyCourse(int state) const;
   std::vector<PlanStep> NextSteps(int state) const;
-  std::string WhyNoPlan(const State& state);
+  Excuse WhyNoPlan(const State& state);
   std::string WhyUndecided(const State& state) const;
 
   Goal goal_;

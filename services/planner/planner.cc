@@ -1,21 +1,52 @@
 #include "services/planner/planner.h"
 
+#include <cctype>
+#include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "cell/alert_t.hpp"
+#include "cell/sense_request_t.hpp"
 #include "common/parts/part_table.h"
+#include "services/planner/executor_messages.h"
 #include "services/planner/planner_messages.h"
 
 namespace cell {
 namespace {
 
-Agent AgentFromConfig(const Config& config) {
-  const auto name = config.As<std::string>();
+std::optional<Agent> FindAgent(const std::string& name) {
   if (name == "person") return Agent::kPerson;
   if (name == "robot") return Agent::kRobot;
-  config.Fail("'" + name + "' is neither person nor robot");
+  return std::nullopt;
+}
+
+std::string InCapitals(std::string text) {
+  for (char& c : text) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+/// [us]
+int64_t Duration(const Config& config, const std::string& key, double high_ms) {
+  return std::llround(1e3 * config.Number(key, 0, high_ms));
+}
+
+Executor::Params LoadExecutor(const Config& config,
+                              const PlanSearch::Params& search) {
+  constexpr double kMinuteMs = 60'000;
+  Executor::Params params;
+  params.search = search;
+  params.search.agent = Agent::kRobot;
+  params.settle_us = Duration(config, "settle_ms", kMinuteMs);
+  params.deadline_us = Duration(config, "deadline_ms", kMinuteMs);
+  params.sense_period_us = Duration(config, "sense_period_ms", kMinuteMs);
+  params.watch_period_us = Duration(config, "watch_period_ms", kMinuteMs);
+  params.patience_us = Duration(config, "patience_ms", kMinuteMs);
+  params.lost_us = Duration(config, "lost_ms", kMinuteMs);
+  params.max_attempts = config.Integer("max_attempts", 1, 100);
+  params.parallel = config.Get<bool>("parallel");
+  return params;
 }
 
 Planner::Params LoadParams(const Deployment& deployment) {
@@ -23,16 +54,16 @@ Planner::Params LoadParams(const Deployment& deployment) {
   const Config domain = deployment.OfTask("domain.yaml");
   const Config config = deployment.ForService("planner");
   Planner::Params params{
-      Domain::FromConfig(domain, PartTable::FromConfig(parts)), {}, {}};
+      Domain::FromConfig(domain, PartTable::FromConfig(parts)), {}, {}, {}};
   params.domain.PassOverGeometry();
   params.domain.PassOverSec();
   domain.Finish();
-  params.search.agent = AgentFromConfig(config["agent"]);
   params.search.max_states =
       config.Integer("max_states", 1, std::numeric_limits<int>::max());
   params.monitor.min_detour =
       config.Number("min_detour", 0, std::numeric_limits<double>::max());
   params.monitor.max_remembered = config.Integer("max_remembered", 1, 1 << 20);
+  params.executor = LoadExecutor(config["execution"], params.search);
   config.Finish();
   return params;
 }
@@ -43,51 +74,166 @@ Planner::Planner(Bus& bus, Params params)
     : bus_(bus), params_(std::move(params)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
+  bus_.Subscribe<command_goal_t>("COMMAND_GOAL",
+                                 [this](const auto& m) { return OnGoal(m); });
+  bus_.Subscribe<operating_mode_t>("MODE",
+                                   [this](const auto& m) { return OnMode(m); });
   bus_.Subscribe<predicates_t>(
       "PREDICATES", [this](const auto& m) { return OnPredicates(m); });
   bus_.Subscribe<action_t>("ACTION",
                            [this](const auto& m) { return OnAction(m); });
+  bus_.Subscribe<skill_result_t>("SKILL_RESULT",
+                                 [this](const auto& m) { return OnResult(m); });
+  const Vocabulary& vocabulary = params_.domain.vocabulary();
+  const Arms arms(vocabulary);
+  for (const int arm : arms.arms()) {
+    const std::string& name = vocabulary.objects()[arm].name;
+    bus_.Subscribe<arm_report_t>(
+        "ARM_REPORT_" + InCapitals(name),
+        [this, name](const auto& m) { return OnReport(name, m); });
+  }
+  bus_.Every(1, 0, [this] { Decide(); });  // after all messages
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::END) return true;
-  if (message.phase == episode_t::RUNNING && monitor_) return true;
+  if (message.phase == episode_t::END) {
+    executor_.reset();
+    return true;
+  }
+  const bool is_begun = monitor_ || executor_;
+  if (message.phase == episode_t::RUNNING && is_begun) return true;
   if (message.phase != episode_t::START &&
       message.phase != episode_t::RUNNING) {
     return false;
   }
   monitor_.reset();
-  start_utime_ = message.phase == episode_t::START ? message.header.utime : 0;
-  const Goal* goal = params_.domain.FindGoal(message.goal);
-  if (goal != nullptr) {
-    monitor_.emplace(PlanSearch(params_.domain, *goal, params_.search),
-                     params_.monitor);
+  executor_.reset();
+  // Who joins an episode that runs complains once.
+  if (message.phase == episode_t::RUNNING && complained_of_ == message.id) {
     return true;
   }
-  alert_t alert{};
-  alert.header.utime = message.header.utime;
-  alert.level = alert_t::ERROR;
-  alert.cause = alert_t::BAD_INPUT;
-  alert.text = "The task has no goal '" + message.goal + "', but:";
-  for (const Goal& known : params_.domain.goals()) {
-    alert.text += " " + known.name;
+  complained_of_ = message.id;
+  const std::optional<Agent> agent = FindAgent(message.agent);
+  if (!agent) {
+    Complain(alert_t::BAD_INPUT,
+             "The agent of an episode is person or "
+             "robot, not '" +
+                 message.agent + "'");
+    return true;
   }
-  bus_.Publish("ALERT", alert);
+  const Goal* goal = FindGoal(message.goal);
+  if (goal == nullptr) return true;
+  Begin(*agent, *goal,
+        message.phase == episode_t::START ? message.header.utime : 0);
+  return true;
+}
+
+void Planner::Begin(Agent agent, const Goal& goal, int64_t utime) {
+  start_utime_ = utime;
+  if (agent == Agent::kRobot) {
+    executor_.emplace(params_.domain, goal, params_.executor, bus_.now());
+    executor_->Permit(may_act_);
+    return;
+  }
+  monitor_.emplace(PlanSearch(params_.domain, goal, params_.search),
+                   params_.monitor);
+}
+
+bool Planner::OnGoal(const command_goal_t& message) {
+  if (bus_.now() > message.deadline_utime) return false;
+  const Goal* goal = FindGoal(message.goal);
+  if (goal == nullptr) return false;
+  if (executor_) executor_->Pursue(*goal);
+  if (!monitor_) return true;
+  Begin(Agent::kPerson, *goal, start_utime_);
+  bus_.Publish("SENSE_REQUEST", sense_request_t{{bus_.now(), 0, 0, 0}});
+  return true;
+}
+
+/// Complains if there is none.
+const Goal* Planner::FindGoal(const std::string& name) {
+  const Goal* goal = params_.domain.FindGoal(name);
+  if (goal != nullptr) return goal;
+  std::string text = "The task has no goal '" + name + "', but:";
+  for (const Goal& known : params_.domain.goals()) text += " " + known.name;
+  Complain(alert_t::BAD_INPUT, text);
+  return nullptr;
+}
+
+bool Planner::OnMode(const operating_mode_t& message) {
+  const std::optional<bool> may_act = MayActFromMessage(message);
+  if (!may_act) return false;
+  may_act_ = *may_act;
+  if (executor_) executor_->Permit(may_act_);
   return true;
 }
 
 bool Planner::OnPredicates(const predicates_t& message) {
   if (message.header.utime < start_utime_) return true;  // of the one before
-  const auto sensed = FromMessage(message, params_.domain);
-  if (sensed && monitor_) Publish(monitor_->Take(*sensed));
-  return sensed.has_value();
+  if (message.header.utime > bus_.now()) return false;
+  auto sensed = FromMessage(message, params_.domain);
+  if (!sensed) return false;
+  if (executor_) executor_->Take(*sensed);
+  if (!monitor_) return true;
+  sensed->state = WithoutArms(sensed->state, params_.domain.vocabulary());
+  Publish(monitor_->Take(*sensed));
+  return true;
 }
 
 bool Planner::OnAction(const action_t& message) {
   if (message.header.utime < start_utime_) return true;  // of the one before
   const auto action = FromMessage(message, params_.domain);
-  if (action && monitor_) Publish(monitor_->Take(*action));
-  return action.has_value();
+  if (!action) return false;
+  if (executor_) executor_->Take(*action);
+  if (monitor_) Publish(monitor_->Take(*action));
+  return true;
+}
+
+bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
+  const auto report = FromMessage(message, params_.domain, bus_.now());
+  if (!report || message.arm != arm) return false;
+  if (executor_) executor_->Take(*report);
+  return true;
+}
+
+bool Planner::OnResult(const skill_result_t& message) {
+  const auto result = FromMessage(message, params_.domain, bus_.now());
+  if (result && executor_) executor_->Take(*result);
+  return result.has_value();
+}
+
+void Planner::Decide() {
+  if (!executor_) return;
+  const Orders orders = executor_->Decide({bus_.now(), bus_.tick()});
+  for (const ArmOrder& request : orders.requests) {
+    skill_request_t message = ToMessage(request, params_.domain);
+    message.header.utime = bus_.now();
+    bus_.Publish("SKILL_REQUEST", message);
+  }
+  if (orders.sense) {
+    bus_.Publish("SENSE_REQUEST", sense_request_t{{bus_.now(), 0, 0, 0}});
+  }
+  if (orders.plan) {
+    bus_.Publish("PLAN", ToMessage(*orders.plan, params_.domain));
+  }
+  if (orders.execution) Publish(*orders.execution);
+}
+
+void Planner::Publish(const Execution& execution) {
+  execution_t message = ToMessage(execution, params_.domain);
+  message.header.utime = bus_.now();
+  bus_.Publish("EXECUTION", message);
+  if (execution.state != Execution::State::kStuck) return;
+  Complain(alert_t::STUCK, "The robot asks: " + execution.text);
+}
+
+void Planner::Complain(int8_t cause, const std::string& text) {
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = cause == alert_t::STUCK ? alert_t::WARNING : alert_t::ERROR;
+  alert.cause = cause;
+  alert.text = text;
+  bus_.Publish("ALERT", alert);
 }
 
 void Planner::Publish(const Monitor::Report& report) {

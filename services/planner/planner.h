@@ -2,25 +2,35 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cell/action_t.hpp"
+#include "cell/arm_report_t.hpp"
+#include "cell/command_goal_t.hpp"
 #include "cell/episode_t.hpp"
+#include "cell/operating_mode_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 #include "common/relational/domain.h"
+#include "services/planner/executor.h"
 #include "services/planner/monitor.h"
 
 namespace cell {
 
-/// The decision maker (section VII-B): PREDICATES and ACTION -> PLAN, ALERT,
-/// for the goal that EPISODE names.
+/// The decision maker (sections VII-B, VIII-A), for the goal that EPISODE or
+/// COMMAND_GOAL names. Of a person's episode: PREDICATES, ACTION -> PLAN,
+/// ALERT. Of the robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE ->
+/// SKILL_REQUEST, SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since
+/// what fails is the robot's own.
 class Planner final : public Service {
  public:
   struct Params {
     Domain domain;
     PlanSearch::Params search;
     Monitor::Params monitor;
+    Executor::Params executor;
   };
 
   /// `bus` must outlive this object.
@@ -28,14 +38,26 @@ class Planner final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
+  bool OnGoal(const command_goal_t& message);
+  bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
   bool OnAction(const action_t& message);
+  bool OnReport(const std::string& arm, const arm_report_t& message);
+  bool OnResult(const skill_result_t& message);
+  void Begin(Agent agent, const Goal& goal, int64_t utime);
+  const Goal* FindGoal(const std::string& name);
+  void Complain(int8_t cause, const std::string& text);
+  void Decide();
   void Publish(const Monitor::Report& report);
+  void Publish(const Execution& execution);
 
   Bus& bus_;
   Params params_;
-  std::optional<Monitor> monitor_;  // of the episode
-  int64_t start_utime_ = 0;         // of the episode
+  std::optional<Monitor> monitor_;        // of a person's episode
+  std::optional<Executor> executor_;      // of the robot's
+  std::optional<int64_t> complained_of_;  // episode
+  bool may_act_ = false;
+  int64_t start_utime_ = 0;  // of the episode
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

@@ -98,7 +98,8 @@ std::optional<DoneAction> FromMessage(const action_t& message,
                     message.pick_key_frame,
                     message.place_key_frame,
                     {*part},
-                    "moving " + message.part};
+                    "moving " + message.part,
+                    message.pick_utime};
   if (message.kind == action_t::UNKNOWN) return action;
   const auto ground = domain.FindGroundAction(message.name, message.arguments);
   if (!ground) return std::nullopt;

@@ -5,8 +5,13 @@
 
 namespace cell {
 
-StateSpace::StateSpace(const Domain& domain, Agent agent)
-    : domain_(domain), actions_(domain.GroundActions(agent)) {}
+StateSpace::StateSpace(const Domain& domain, Agent agent,
+                       const std::set<GroundAction>& blocked)
+    : domain_(domain), agent_(agent) {
+  for (const GroundAction& action : domain.GroundActions(agent)) {
+    if (!blocked.contains(action)) actions_.push_back(action);
+  }
+}
 
 std::optional<int> StateSpace::Enter(const State& state, int max_states) {
   const int entered = IndexOf(state);
@@ -34,7 +39,7 @@ std::vector<StateSpace::Choice> StateSpace::ChoicesIn(int state) {
   for (size_t i = 0; i < actions_.size(); ++i) {
     const auto covers =
         CoversOf(domain_.actions()[actions_[i].action], actions_[i].arguments,
-                 states_[state], domain_.vocabulary());
+                 states_[state], domain_.vocabulary(), agent_);
     // Of several rules one may be right if something is unknown.
     if (covers.size() > 1 && !has_unknown) continue;
     for (const Cover& cover : covers) {

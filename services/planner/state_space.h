@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -24,8 +25,9 @@ class StateSpace {
     std::vector<Move> moves;  ///< each state once
   };
 
-  /// `domain` must outlive this object.
-  StateSpace(const Domain& domain, Agent agent);
+  /// `domain` must outlive this object. The `blocked` actions are left out.
+  StateSpace(const Domain& domain, Agent agent,
+             const std::set<GroundAction>& blocked = {});
 
   /// Adds the state and all that can be reached from it. Returns its index;
   /// nothing if there would be more than `max_states`: then the space is empty
@@ -40,6 +42,7 @@ class StateSpace {
   }
   const std::vector<GroundAction>& actions() const { return actions_; }
   const Domain& domain() const { return domain_; }
+  Agent agent() const { return agent_; }
 
   /// Ascending, the state itself among them.
   std::vector<int> ReachableFrom(int state) const;
@@ -54,6 +57,7 @@ class StateSpace {
   Choice Try(int action, const Cover& cover, int state);
 
   const Domain& domain_;
+  Agent agent_;
   std::vector<GroundAction> actions_;
   std::vector<State> states_;
   std::vector<std::vector<Choice>> choices_;

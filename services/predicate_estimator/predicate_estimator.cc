@@ -5,7 +5,6 @@
 #include "cell/predicates_t.hpp"
 #include "common/layout/cell_layout.h"
 #include "common/relational/domain.h"
-#include "common/sec/key_frame.h"
 #include "common/sec/scene.h"
 
 namespace cell {
@@ -18,9 +17,11 @@ predicates_t ToMessage(const State& state, const Vocabulary& vocabulary,
   message.key_frame = frame.index;
   for (int index = 0; index < state.num_atoms(); ++index) {
     const GroundAtom atom = vocabulary.Atom(index);
+    const Predicate& predicate =
+        vocabulary.predicates()[static_cast<size_t>(atom.predicate)];
+    if (predicate.report) continue;
     literal_t& literal = message.literals.emplace_back();
-    literal.predicate =
-        vocabulary.predicates()[static_cast<size_t>(atom.predicate)].name;
+    literal.predicate = predicate.name;
     for (const int object : atom.objects) {
       literal.arguments.push_back(
           vocabulary.objects()[static_cast<size_t>(object)].name);
@@ -42,11 +43,14 @@ PredicateEstimator::PredicateEstimator(Bus& bus, const Params& params)
       "KEY_FRAME", [this](const key_frame_t& m) { return OnKeyFrame(m); });
   bus.Subscribe<tracks_t>("TRACKS",
                           [this](const tracks_t& m) { return OnTracks(m); });
+  bus.Subscribe<sense_request_t>("SENSE_REQUEST",
+                                 [this](const auto&) { return OnRequest(); });
 }
 
 bool PredicateEstimator::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::START) {
     tracks_.reset();
+    frame_.reset();
     start_utime_ = message.header.utime;
   }
   return message.phase >= episode_t::START &&
@@ -61,13 +65,32 @@ bool PredicateEstimator::OnTracks(const tracks_t& message) {
 }
 
 bool PredicateEstimator::OnKeyFrame(const key_frame_t& message) {
-  const auto frame = KeyFrameFromMessage(message, params_.cast);
+  auto frame = KeyFrameFromMessage(message, params_.cast);
   if (!frame) return false;
   if (frame->utime < start_utime_) return true;  // of the episode before
-  const Scene scene = SceneOf(*frame, tracks_.value_or(Tracks{}), params_.cast);
-  bus_.Publish("PREDICATES", ToMessage(params_.sensor->Sense(scene),
-                                       params_.vocabulary, *frame));
+  Sense(*frame);
+  frame_ = *std::move(frame);
   return true;
+}
+
+/// Before the first key frame and tracks there is nothing to say: the planner
+/// asks again.
+bool PredicateEstimator::OnRequest() {
+  if (!frame_ || !tracks_) return true;
+  KeyFrame now = *frame_;
+  now.utime = tracks_->utime;
+  now.poses.clear();
+  for (const Track& track : tracks_->tracks) {
+    if (params_.cast.IsPart(track.name)) now.poses[track.name] = track.X_WO;
+  }
+  Sense(now);
+  return true;
+}
+
+void PredicateEstimator::Sense(const KeyFrame& frame) {
+  const Scene scene = SceneOf(frame, tracks_.value_or(Tracks{}), params_.cast);
+  bus_.Publish("PREDICATES", ToMessage(params_.sensor->Sense(scene),
+                                       params_.vocabulary, frame));
 }
 
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,

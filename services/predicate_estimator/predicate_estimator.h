@@ -5,19 +5,23 @@
 
 #include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
+#include "cell/sense_request_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 #include "common/relational/vocabulary.h"
 #include "common/sec/cast.h"
+#include "common/sec/key_frame.h"
 #include "common/sec/predicate_sensor.h"
 #include "common/sec/track.h"
 
 namespace cell {
 
-/// KEY_FRAME, TRACKS -> PREDICATES: all ground predicates, sensed afresh at
-/// each key frame (section VII-B). Relations and poses are the key frame's;
-/// the latest tracks say whose pose is seen. Nothing else is kept.
+/// KEY_FRAME, TRACKS, SENSE_REQUEST -> PREDICATES: all ground predicates that
+/// geometry can tell, sensed afresh at each key frame (section VII-B) and on
+/// request. Relations and poses are the key frame's; the latest tracks say
+/// whose pose is seen. On request relations are the latest key frame's, poses
+/// and time the latest tracks'. Nothing else is kept.
 class PredicateEstimator final : public Service {
  public:
   struct Params {
@@ -33,11 +37,14 @@ class PredicateEstimator final : public Service {
   bool OnEpisode(const episode_t& message);
   bool OnTracks(const tracks_t& message);
   bool OnKeyFrame(const key_frame_t& message);
+  bool OnRequest();
+  void Sense(const KeyFrame& frame);
 
   Bus& bus_;
   Params params_;
-  std::optional<Tracks> tracks_;  // the latest
-  int64_t start_utime_ = 0;       // of the episode
+  std::optional<Tracks> tracks_;   // the latest
+  std::optional<KeyFrame> frame_;  // the latest
+  int64_t start_utime_ = 0;        // of the episode
 };
 
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,

@@ -14,9 +14,17 @@
 
 #include "cell/ack_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/arm_report_t.hpp"
 #include "cell/command_episode_t.hpp"
+#include "cell/command_goal_t.hpp"
+#include "cell/command_mode_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/execution_t.hpp"
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
+#include "cell/sense_request_t.hpp"
+#include "cell/skill_request_t.hpp"
+#include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/tick_t.hpp"
 #include "cell/truth_contacts_t.hpp"
@@ -50,6 +58,35 @@ Roster TheRoster() {
   return Roster::FromConfig(Config::Load(kDeploy / "config" / "roster.yaml"));
 }
 
+// What arms say, and what is said to them.
+void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
+  arm_report_t report{};
+  report.request = -1;
+  report.held = "head";
+  report.reachable = {"face_plate", "pendulum", "shaft"};
+  report.num_reachable = 3;
+  for (const char* arm : {"left", "right"}) {
+    report.arm = arm;
+    const bool is_left = report.arm == "left";
+    samples[is_left ? "ARM_REPORT_LEFT" : "ARM_REPORT_RIGHT"] = {
+        Bus::Encode(report)};
+  }
+  skill_result_t result{};
+  result.arm = "right";
+  result.reason = "it jams";
+  samples["SKILL_RESULT"] = {Bus::Encode(result)};
+  skill_request_t request{};
+  request.arm = "right";
+  request.part = "shaft";
+  request.site = "base.shaft";
+  samples["SKILL_REQUEST"] = {Bus::Encode(request)};
+  execution_t execution{};
+  execution.text = "please do it";
+  execution.needed.resize(1);
+  execution.num_needed = 1;
+  samples["EXECUTION"] = {Bus::Encode(execution)};
+}
+
 // True messages of a short episode, some of each channel.
 const std::map<std::string, std::vector<Bytes>>& Corpus() {
   static const auto corpus = [] {
@@ -72,6 +109,15 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     command.demonstration = "assembly";
     command.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_EPISODE"] = {Bus::Encode(command)};
+    command_goal_t goal{};
+    goal.goal = "assembled";
+    goal.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_GOAL"] = {Bus::Encode(goal)};
+    command_mode_t mode{};
+    mode.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_MODE"] = {Bus::Encode(mode)};
+    samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
+    AddOfArms(samples);
     alert_t alert{};
     alert.text = "the way to the goal has become longer";
     samples["ALERT"] = {Bus::Encode(alert)};
@@ -175,6 +221,7 @@ class Targets {
         services_.push_back({std::move(stepper), std::move(service)});
       }
     }
+    if (channel.starts_with("ARM_") || channel == "SKILL_RESULT") BeginRobot();
   }
 
   void Feed(const Bytes& bytes) {
@@ -203,6 +250,19 @@ class Targets {
   }
 
  private:
+  // Who acts on what arms say does so in an episode of theirs.
+  void BeginRobot() {
+    episode_t episode{};
+    episode.goal = "assembled";
+    episode.agent = "robot";
+    const auto message = MessageFromWire("EPISODE", Bus::Encode(episode));
+    ++tick_;
+    for (auto& [stepper, service] : services_) {
+      if (stepper->Wants("EPISODE")) stepper->Accept(tick_, {*message});
+      stepper->Run();
+    }
+  }
+
   std::string channel_;
   std::vector<std::pair<std::unique_ptr<Stepper>, std::unique_ptr<Service>>>
       services_;
@@ -240,7 +300,10 @@ INSTANTIATE_TEST_SUITE_P(
     AllChannels, ForgedMessages,
     testing::Values("EPISODE", "COMMAND_EPISODE", "TRUTH_POSES",
                     "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS", "KEY_FRAME",
-                    "ACTION", "PREDICATES", "PLAN", "ALERT", "STATUS"),
+                    "ACTION", "PREDICATES", "PLAN", "ALERT", "STATUS",
+                    "COMMAND_GOAL", "COMMAND_MODE", "MOTION_PERMIT", "MODE",
+                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
+                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

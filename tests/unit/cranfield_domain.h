@@ -49,6 +49,18 @@ struct Cranfield {
     return state;
   }
 
+  /// The same, and the arm could take every part.
+  State StartWithin(const std::string& arm) const {
+    const Vocabulary& v = domain->vocabulary();
+    State state = Start();
+    for (int i = 0; i < v.num_atoms(); ++i) {
+      if (v.AtomName(i).starts_with("Reachable(" + arm)) {
+        state.Set(i, Truth::kTrue);
+      }
+    }
+    return state;
+  }
+
   State With(State state, const std::vector<std::string>& atoms,
              Truth truth = Truth::kTrue) const {
     for (const std::string& name : atoms) state.Set(Atom(name), truth);
@@ -58,7 +70,7 @@ struct Cranfield {
   std::vector<Cover> Covers(const GroundAction& action,
                             const State& state) const {
     return CoversOf(domain->actions()[action.action], action.arguments, state,
-                    domain->vocabulary());
+                    domain->vocabulary(), Agent::kPerson);
   }
 
   /// The state after the action succeeds.

@@ -141,17 +141,92 @@ TEST_F(CranfieldPlanning, OneUnknownPlacementIsUndecidedOnlyIfItMatters) {
   EXPECT_EQ(search_.Find(state).result, Plan::Result::kFound);
 }
 
-TEST_F(CranfieldPlanning, TheWayOfTheRobotHasPlacementsOnly) {
-  PlanSearch robot(*cranfield_.domain,
-                   *cranfield_.domain->FindGoal("assembled"),
-                   {Agent::kRobot, 100'000});
-  const Plan plan = robot.Find(cranfield_.Start());
+class CranfieldRobot : public CranfieldPlanning {
+ protected:
+  Plan Find(const State& state) { return robot_.Find(state); }
+  std::vector<std::string> Steps(const Plan& plan) const {
+    std::vector<std::string> steps;
+    for (const PlanStep& step : plan.steps) {
+      steps.push_back(cranfield_.domain->Show(step.action));
+    }
+    return steps;
+  }
+
+  State start_ = cranfield_.StartWithin("right");
+  PlanSearch robot_{*cranfield_.domain,
+                    *cranfield_.domain->FindGoal("assembled"),
+                    {Agent::kRobot, {}, 100'000}};
+};
+
+TEST_F(CranfieldRobot, PlacesNinePartsThatTheInsertingArmReaches) {
+  const Plan plan = Find(start_);
+  EXPECT_EQ(plan.result, Plan::Result::kFound);
   EXPECT_NEAR(plan.expected_actions, 9 * kPerAction, 1e-8);
-  EXPECT_EQ(robot
-                .Find(cranfield_.With(cranfield_.Start(),
-                                      {"SeparatorPlaced(separator)"}))
-                .result,
-            Plan::Result::kNoPlan);
+  EXPECT_EQ(plan.steps.size(), 9u);
+  EXPECT_LT(robot_.num_states(), 1000);
+  RecordProperty("states", robot_.num_states());
+}
+
+TEST_F(CranfieldRobot, PassesOnWhatOnlyTheOtherArmReaches) {
+  const State state =
+      cranfield_.With(cranfield_.With(start_, {"Reachable(left, pendulum)"}),
+                      {"Reachable(right, pendulum)"}, Truth::kFalse);
+  const Plan plan = Find(state);
+  EXPECT_NEAR(plan.expected_actions, 10 * kPerAction, 1e-8);
+  EXPECT_THAT(Steps(plan), testing::Contains("Present(pendulum)"));
+}
+
+TEST_F(CranfieldRobot, PassesOnEveryPartWithinTheStatesAllowed) {
+  const Plan plan = Find(cranfield_.StartWithin("left"));
+  EXPECT_NEAR(plan.expected_actions, 18 * kPerAction, 1e-8);
+  RecordProperty("states", robot_.num_states());
+  EXPECT_LT(robot_.num_states(), 100'000);
+}
+
+TEST_F(CranfieldRobot, PlacesWhatItHoldsOrMakesRoom) {
+  Plan plan = Find(cranfield_.With(start_, {"Held(shaft, right)"}));
+  EXPECT_NEAR(plan.expected_actions, 9 * kPerAction, 1e-8);
+  EXPECT_EQ(Steps(plan)[0], "PlaceRoundPeg(shaft, base.shaft)");
+  plan = Find(cranfield_.With(start_, {"Held(head, right)"}));
+  EXPECT_NEAR(plan.expected_actions, 10 * kPerAction, 1e-8);
+  EXPECT_EQ(Steps(plan)[0], "PutDown(head, right)");
+  State state = cranfield_.With(start_, {"Held(head, left)"});
+  state = cranfield_.With(state, {"Reachable(right, head)"}, Truth::kFalse);
+  plan = Find(state);
+  EXPECT_NEAR(plan.expected_actions, 10 * kPerAction, 1e-8);
+  EXPECT_THAT(Steps(plan), testing::Contains("Present(head)"));
+}
+
+TEST_F(CranfieldRobot, AsksForAPartThatNoArmReaches) {
+  const Plan plan = Find(
+      cranfield_.With(start_, {"Reachable(right, separator)"}, Truth::kFalse));
+  EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
+  EXPECT_EQ(plan.needed,
+            (std::vector<Wish>{{cranfield_.Atom("Reachable(left, separator)"),
+                                Truth::kTrue}}));
+}
+
+TEST_F(CranfieldRobot, TakesNothingOff) {
+  EXPECT_EQ(
+      Find(cranfield_.With(start_, {"SeparatorPlaced(separator)"})).result,
+      Plan::Result::kNoPlan);
+}
+
+TEST_F(CranfieldRobot, KnowsHowAnArmDoesEachOfItsActions) {
+  const Domain& domain = *cranfield_.domain;
+  const Vocabulary& v = domain.vocabulary();
+  for (const GroundAction& action : domain.GroundActions(Agent::kRobot)) {
+    const auto skill = domain.SkillOf(action);
+    ASSERT_TRUE(skill.has_value()) << domain.Show(action);
+    EXPECT_EQ(skill->part, action.arguments[0]);
+    EXPECT_TRUE(v.IsOf(skill->arm, *v.types().Find("arm")));
+    if (skill->kind != Skill::Kind::kInsert) continue;
+    EXPECT_EQ(v.objects()[skill->arm].name, "right");
+    const int fits = *v.FindStatic("fits");
+    EXPECT_TRUE(
+        v.static_relations()[fits].facts.contains({skill->part, *skill->site}))
+        << domain.Show(action);
+  }
 }
 
 class CranfieldRules : public CranfieldPlanning {

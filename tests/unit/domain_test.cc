@@ -153,7 +153,7 @@ TEST(Domain, ADeicticReferenceBindsTheOnlyObject) {
   const Vocabulary& v = domain.vocabulary();
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   const State state = With(domain, {"At(b1, p1)", "At(b2, p1)"});
-  const auto covers = CoversOf(move, arguments, state, v);
+  const auto covers = CoversOf(move, arguments, state, v, Agent::kPerson);
   ASSERT_EQ(covers.size(), 1u);
   EXPECT_EQ(After(move.rules[0].outcomes[0], covers[0].binding, state, v),
             With(domain, {"At(b1, p2)", "At(b2, p1)"}));
@@ -166,7 +166,7 @@ TEST(Domain, ARuleWithoutAUniqueReferenceDoesNotApply) {
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   for (const State& state :
        {With(domain, {}), With(domain, {"At(b1, p1)", "At(b1, p2)"})}) {
-    EXPECT_TRUE(CoversOf(move, arguments, state, v).empty());
+    EXPECT_TRUE(CoversOf(move, arguments, state, v, Agent::kPerson).empty());
   }
 }
 
@@ -176,7 +176,7 @@ TEST(Domain, AnEffectOnEachReachesAllOfWhichItsConditionHeld) {
   const Vocabulary& v = domain.vocabulary();
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   const State state = With(domain, {"At(b1, p1)", "At(b2, p1)"});
-  const auto covers = CoversOf(move, arguments, state, v);
+  const auto covers = CoversOf(move, arguments, state, v, Agent::kPerson);
   EXPECT_EQ(After(move.rules[0].outcomes[1], covers.at(0).binding, state, v),
             With(domain, {"At(b1, p1)", "At(b2, p1)", "Open(b1)", "Open(b2)"}));
 }
@@ -258,6 +258,110 @@ TEST(Domain, BlocksThatNobodyReadOrPassedOverAreErrors) {
   EXPECT_THROW(config.Finish(), ConfigError);
   domain.PassOverGeometry();
   EXPECT_NO_THROW(config.Finish());
+}
+
+constexpr char kRobots[] = R"yaml(
+types: {box: object, arm: object, place: object}
+constants: {b1: box, left: arm, right: arm, p1: place}
+predicates:
+  Held: {arguments: [box, arm], reported: held}
+  CanTake: {arguments: [arm, box], reported: reachable}
+  In: {arguments: [box], geometry: {deep: 1}}
+actions:
+  Put:
+    arguments: {X: box}
+    skill: {kind: insert, part: X, site: p1, arm: right}
+    robot:
+      - {context: ["Held(X, right)"], effects: ["not Held(X, right)"]}
+      - {context: ["CanTake(right, X)"], effects: []}
+    rules:
+      - context: [not In(X)]
+        outcomes: [{probability: 0.75, effects: [In(X)]}]
+        noise: 0.25
+  PutDown:
+    arguments: {X: box, A: arm}
+    agents: [robot]
+    skill: {kind: put_down, part: X, arm: A}
+    rules: []
+goals: {done: [In(b1)]}
+)yaml";
+
+std::string ErrorOfRobots(const std::string& what, const std::string& instead) {
+  std::string text = kRobots;
+  const size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  text.replace(at, what.size(), instead);
+  try {
+    Load(text);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DomainOfRobots, KnowsWhichPredicatesArmsReport) {
+  const Domain domain = Load(kRobots);
+  const Vocabulary& v = domain.vocabulary();
+  EXPECT_EQ(v.predicates()[*v.FindPredicate("Held")].report,
+            Predicate::Report::kHeld);
+  EXPECT_EQ(v.predicates()[*v.FindPredicate("CanTake")].report,
+            Predicate::Report::kReachable);
+  EXPECT_FALSE(v.predicates()[*v.FindPredicate("In")].report.has_value());
+}
+
+TEST(DomainOfRobots, AddsWhatARobotNeedsToEachRuleAndLeavesThePersonAlone) {
+  const Domain domain = Load(kRobots);
+  const Action& put = domain.actions()[0];
+  const Vocabulary& v = domain.vocabulary();
+  const Binding b1 = {*v.FindObject("b1")};
+  const State bare = With(domain, {});
+  EXPECT_EQ(CoversOf(put, b1, bare, v, Agent::kPerson).size(), 1u);
+  EXPECT_TRUE(CoversOf(put, b1, bare, v, Agent::kRobot).empty());
+  const State near = With(domain, {"CanTake(right, b1)"});
+  EXPECT_EQ(CoversOf(put, b1, near, v, Agent::kRobot).size(), 1u);
+  const State held = With(domain, {"Held(b1, right)"});
+  const auto covers = CoversOf(put, b1, held, v, Agent::kRobot);
+  ASSERT_EQ(covers.size(), 1u);
+  EXPECT_EQ(
+      After(put.rules[covers[0].rule].outcomes[0], covers[0].binding, held, v),
+      With(domain, {"In(b1)"}));
+}
+
+TEST(DomainOfRobots, BindsSkillsToObjects) {
+  const Domain domain = Load(kRobots);
+  const Vocabulary& v = domain.vocabulary();
+  const int b1 = *v.FindObject("b1");
+  EXPECT_EQ(domain.SkillOf(*domain.FindGroundAction("Put", {"b1"})),
+            (GroundSkill{Skill::Kind::kInsert, b1, v.FindObject("p1"),
+                         *v.FindObject("right")}));
+  EXPECT_EQ(domain.SkillOf(*domain.FindGroundAction("PutDown", {"b1", "left"})),
+            (GroundSkill{Skill::Kind::kPutDown, b1, std::nullopt,
+                         *v.FindObject("left")}));
+}
+
+TEST(DomainOfRobots, RefusesWhatNoArmCouldDo) {
+  EXPECT_THAT(ErrorOfRobots("kind: insert", "kind: throw"),
+              HasSubstr("actions.Put.skill.kind: 'throw' is none of insert"));
+  EXPECT_THAT(ErrorOfRobots("site: p1, ", ""), HasSubstr("site: missing"));
+  EXPECT_THAT(ErrorOfRobots("site: p1", "site: p2"),
+              HasSubstr("there is no object 'p2'"));
+  EXPECT_THAT(ErrorOfRobots("part: X, site", "part: Y, site"),
+              HasSubstr("the variable 'Y' is not known"));
+  EXPECT_THAT(ErrorOfRobots("part: X, arm: A", "part: X, site: p1, arm: A"),
+              HasSubstr("only insert has a site"));
+  EXPECT_THAT(ErrorOfRobots("arm: right}", "arm: _}"),
+              HasSubstr("must be one object"));
+  EXPECT_THAT(ErrorOfRobots("arm: right}", "arm: right, speed: 1}"),
+              HasSubstr("actions.Put.skill.speed: not known"));
+  EXPECT_THAT(ErrorOfRobots("agents: [robot]", "agents: [person]"),
+              HasSubstr("skill: the robot is none of the action's agents"));
+  EXPECT_THAT(ErrorOfRobots("reported: held", "reported: felt"),
+              HasSubstr("'felt' is neither held nor reachable"));
+  EXPECT_THAT(ErrorOfRobots("[box], geometry: {deep: 1}",
+                            "[box], geometry: {deep: 1}, reported: held"),
+              HasSubstr("two arguments"));
+  EXPECT_THAT(ErrorOfRobots("reported: held", "reported: held, geometry: {}"),
+              HasSubstr("no geometry"));
 }
 
 TEST(State, KeepsEveryAtomApart) {

@@ -18,7 +18,7 @@ class Problem {
       : domain_(std::make_unique<Domain>(
             Domain::FromConfig(Config::Parse(text, "problem"), PartTable()))),
         search_(*domain_, *domain_->FindGoal("done"),
-                {Agent::kPerson, max_states}) {}
+                {Agent::kPerson, {}, max_states}) {}
 
   State With(const std::vector<std::string>& names) const {
     State state(domain_->vocabulary().num_atoms());

@@ -51,6 +51,7 @@ class PlannerService : public testing::Test {
     episode_t episode{};
     episode.phase = episode_t::START;
     episode.goal = goal;
+    episode.agent = "person";
     Give("EPISODE", episode);
   }
   predicates_t Predicates(int64_t key_frame, const State& state) const {
@@ -208,6 +209,7 @@ TEST_F(PlannerService, SameInputsSameBytes) {
                             {}});
     episode_t episode{};
     episode.goal = "assembled";
+    episode.agent = "person";
     std::vector<Message> inputs = {
         *MessageFromWire("EPISODE", Bus::Encode(episode)),
         *MessageFromWire("PREDICATES",

@@ -26,7 +26,6 @@ const std::set<std::string> kAdapters = {
     "common/node/run_service.h",         // the flag that a signal sets
     "common/rendering/png_file.cc",      // writes pictures
     "services/cell/demo.cc",             // starts the cell's processes
-    "services/cell/episode.cc",          // an operator's word to the clock
     "services/cell/eval.cc",             // writes the measures
     "services/cell/job_pool.cc",         // processes of an evaluation
     "services/cell/output_follower.cc",  // what the processes said

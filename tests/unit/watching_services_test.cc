@@ -15,6 +15,7 @@
 #include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/sense_request_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/truth_poses_t.hpp"
@@ -252,6 +253,39 @@ TEST_F(WatchingServicesTest, EveryKeyFrameHasItsPredicatesInTheSameOrder) {
       EXPECT_NE(literal.value, literal_t::UNKNOWN) << literal.predicate;
     }
   }
+}
+
+TEST_F(WatchingServicesTest, PredicatesAreSensedAnewOnRequest) {
+  const auto ask = [&] {
+    watchers_->Tick(std::pair{"TRUTH_POSES", world_->Truth(now())},
+                    std::pair{"SENSE_REQUEST", sense_request_t{}});
+  };
+  Begin();
+  ask();  // nothing has been seen yet
+  EXPECT_THAT(watchers_->Sent<predicates_t>("PREDICATES"), IsEmpty());
+  RunFor(62);
+  ASSERT_THAT(watchers_->Sent<predicates_t>("PREDICATES"), SizeIs(1));
+  // What changes no relation makes no key frame, but may be asked for.
+  world_->stage().LieAt("shaft", 0.3, -0.2);
+  RunFor(25);
+  const size_t num_before = watchers_->Sent<predicates_t>("PREDICATES").size();
+  ask();
+  const auto predicates = watchers_->Sent<predicates_t>("PREDICATES");
+  ASSERT_EQ(predicates.size(), num_before + 1);
+  const predicates_t& last = predicates.back();
+  EXPECT_EQ(last.key_frame,
+            watchers_->Sent<key_frame_t>("KEY_FRAME").back().index);
+  EXPECT_EQ(last.header.utime,
+            watchers_->Sent<tracks_t>("TRACKS").back().header.utime);
+  bool is_lying = false;
+  for (const literal_t& literal : last.literals) {
+    EXPECT_NE(literal.predicate, "Held");
+    EXPECT_NE(literal.predicate, "Reachable");
+    if (literal.predicate == "Horizontal" && literal.arguments[0] == "shaft") {
+      is_lying = literal.value == literal_t::TRUE_;
+    }
+  }
+  EXPECT_TRUE(is_lying);
 }
 
 TEST_F(WatchingServicesTest, ANewEpisodeStartsAfresh) {

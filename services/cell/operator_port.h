@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/bus/bus.h"
+#include "common/bus/lcm_port.h"
+
+namespace CLI {
+class App;
+}
+
+namespace cell {
+
+/// How an operator's word reaches the clock, and until when it counts.
+struct OperatorOptions {
+  std::string url = "udpm://239.255.76.67:7667";
+  double deadline_s = 1;
+};
+
+/// Adds --url and --deadline. `options` must outlive the parsing.
+void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
+
+/// A connection to the clock of a cell that runs.
+class OperatorPort {
+ public:
+  /// Waits for the cell's next TICK. @throws std::runtime_error without one.
+  explicit OperatorPort(const OperatorOptions& options);
+
+  /// [us] of the cell's time, after which the command is not executed.
+  int64_t deadline_utime() const { return deadline_utime_; }
+
+  /// Fills in header.utime and the deadline.
+  template <class Command>
+  void Send(const std::string& channel, Command command) {
+    command.header.utime = utime_;
+    command.deadline_utime = deadline_utime_;
+    control_.Publish(channel, Bus::Encode(command));
+  }
+
+ private:
+  LcmPort control_;
+  int64_t utime_;
+  int64_t deadline_utime_;
+};
+
+}  // namespace cell

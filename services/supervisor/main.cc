@@ -1,0 +1,7 @@
+// supervisor: says whether arms may move, and what is wrong.
+#include "common/node/run_service.h"
+#include "services/supervisor/supervisor.h"
+
+int main(int argc, char** argv) {
+  return cell::RunService("supervisor", argc, argv, cell::MakeSupervisor);
+}

@@ -1,0 +1,86 @@
+#include "services/supervisor/supervision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cell {
+
+Supervision::Supervision(HoldTable table, int64_t now)
+    : operator_hold_(table.operator_hold) {
+  for (HoldRow& row : table.rows) rows_.push_back({std::move(row), now});
+}
+
+void Supervision::Hear(const std::string& service, int64_t now) {
+  const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) {
+    return row.row.service == service;
+  });
+  if (it != rows_.end()) it->heard = now;
+}
+
+std::vector<Notice> Supervision::Update(int64_t now) {
+  for (Row& row : rows_) {
+    const bool is_silent = now - row.heard > row.row.silence_us;
+    if (is_silent == row.is_silent) continue;
+    row.is_silent = is_silent;
+    const std::string& name = row.row.service;
+    if (!is_silent) {
+      silent_.erase(name);
+      Note(AlertLevel::kInfo, Notice::Cause::kSilent, name + " is back");
+      continue;
+    }
+    const std::string text = fmt::format(
+        "{} has been silent for {:.2f} s: {}", name,
+        1e-6 * static_cast<double>(row.row.silence_us), row.row.meaning);
+    if (row.row.hold != Hold::kNone) silent_[name] = {row.row.hold, text};
+    Note(row.row.level, Notice::Cause::kSilent, text);
+  }
+  return std::exchange(notices_, {});
+}
+
+void Supervision::HoldByOperator() {
+  const bool is_new =
+      operators_
+          .try_emplace("", Cause{operator_hold_, "the operator holds the cell"})
+          .second;
+  if (!is_new) return;
+  Note(AlertLevel::kInfo, Notice::Cause::kHeld, operators_.at("").reason);
+}
+
+void Supervision::StopProtectively(const std::string& arm) {
+  const std::string reason = fmt::format(
+      "the {} arm has made a protective stop; look, then resume", arm);
+  if (!operators_.try_emplace(arm, Cause{Hold::kAtOnce, reason}).second) return;
+  Note(AlertLevel::kError, Notice::Cause::kHeld, reason);
+}
+
+void Supervision::ResumeByOperator() {
+  if (operators_.empty()) return;
+  operators_.clear();
+  Note(AlertLevel::kInfo, Notice::Cause::kHeld,
+       "the operator lets the cell go on");
+}
+
+Operation Supervision::operation() const {
+  Operation operation;
+  if (agent_) {
+    operation.mode = *agent_ == Agent::kRobot ? Mode::kExecute : Mode::kMonitor;
+  }
+  for (const auto* causes : {&operators_, &silent_}) {
+    for (const auto& [name, cause] : *causes) {
+      operation.mode = Mode::kHold;
+      operation.hold = std::max(operation.hold, cause.hold);
+      if (!operation.reason.empty()) operation.reason += "; ";
+      operation.reason += cause.reason;
+    }
+  }
+  return operation;
+}
+
+void Supervision::Note(AlertLevel level, Notice::Cause cause,
+                       std::string text) {
+  notices_.push_back({level, cause, std::move(text)});
+}
+
+}  // namespace cell

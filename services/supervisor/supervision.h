@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/supervisor/hold_table.h"
+
+namespace cell {
+
+enum class Mode {
+  kIdle,     ///< no episode
+  kMonitor,  ///< a person's
+  kExecute,  ///< the robot's
+  kHold
+};
+
+/// The mode of the cell and why.
+struct Operation {
+  Mode mode = Mode::kIdle;
+  Hold hold = Hold::kNone;
+  std::string reason;  ///< of a hold, in plain words
+  bool operator==(const Operation&) const = default;
+};
+
+/// Something a person must know.
+struct Notice {
+  enum class Cause { kSilent, kHeld };
+  AlertLevel level;
+  Cause cause;
+  std::string text;
+};
+
+/// Decides whether arms may move. A hold ends by itself when the service that
+/// was silent speaks again; an operator's and one after a protective stop end
+/// when the operator says so. Times in us.
+class Supervision {
+ public:
+  enum class Agent { kPerson, kRobot };
+
+  /// Services have been heard `now`, so that none is thought dead at once.
+  Supervision(HoldTable table, int64_t now);
+
+  /// Of a service that is not in the table: nothing.
+  void Hear(const std::string& service, int64_t now);
+  /// Nothing: no episode.
+  void SetAgent(std::optional<Agent> agent) { agent_ = agent; }
+  void HoldByOperator();
+  void ResumeByOperator();
+  void StopProtectively(const std::string& arm);
+  /// Looks for silence. Every notice since the last call.
+  std::vector<Notice> Update(int64_t now);
+
+  Operation operation() const;
+
+ private:
+  struct Cause {
+    Hold hold;
+    std::string reason;
+  };
+  struct Row {
+    HoldRow row;
+    int64_t heard;
+    bool is_silent = false;
+  };
+
+  void Note(AlertLevel level, Notice::Cause cause, std::string text);
+
+  Hold operator_hold_;
+  std::vector<Row> rows_;
+  std::map<std::string, Cause> silent_;     // by service
+  std::map<std::string, Cause> operators_;  // until the operator resumes
+  std::optional<Agent> agent_;
+  std::vector<Notice> notices_;
+};
+
+}  // namespace cell

@@ -1,0 +1,197 @@
+#include "services/supervisor/supervisor.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "cell/alert_t.hpp"
+#include "cell/motion_permit_t.hpp"
+#include "cell/operating_mode_t.hpp"
+
+namespace cell {
+namespace {
+
+constexpr char kName[] = "supervisor";
+constexpr char kArmService[] = "robot_arm@";
+/// Twice a second: a slow service is woken by messages alone, and has to be
+/// heard in time.
+constexpr int32_t kModePeriod = 62, kModePhase = 31;
+/// A skill that ends so soon after a hold was ended by it.
+constexpr int64_t kAfterHoldUs = 200'000;
+
+static_assert(static_cast<int>(Mode::kHold) == motion_permit_t::HOLD);
+static_assert(static_cast<int>(Hold::kAtOnce) == motion_permit_t::AT_ONCE);
+static_assert(static_cast<int>(AlertLevel::kError) == alert_t::ERROR);
+
+std::string InCapitals(std::string text) {
+  for (char& c : text) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+}  // namespace
+
+Supervisor::Supervisor(Bus& bus, Params params)
+    : bus_(bus), params_(std::move(params)) {
+  bus_.Subscribe<episode_t>("EPISODE",
+                            [this](const auto& m) { return OnEpisode(m); });
+  bus_.Subscribe<command_mode_t>(
+      "COMMAND_MODE", [this](const auto& m) { return OnCommand(m); });
+  bus_.Subscribe<status_t>("STATUS",
+                           [this](const auto& m) { return OnStatus(m); });
+  bus_.Subscribe<skill_result_t>("SKILL_RESULT",
+                                 [this](const auto& m) { return OnResult(m); });
+  for (const std::string& arm : params_.arms) {
+    bus_.Subscribe<arm_report_t>(
+        "ARM_REPORT_" + InCapitals(arm),
+        [this, arm](const auto& m) { return OnReport(arm, m); });
+    bus_.Subscribe<arm_state_t>(
+        "ARM_STATE_" + InCapitals(arm),
+        [this, arm](const auto& m) { return OnState(arm, m); });
+  }
+  bus_.Every(1, 0, [this] { OnTick(); });
+  bus_.Every(kModePeriod, kModePhase,
+             [this] { PublishMode(Watch().operation()); });
+}
+
+/// Begins with the first activation: before it there is no time.
+Supervision& Supervisor::Watch() {
+  if (!supervision_) supervision_.emplace(params_.table, bus_.now());
+  return *supervision_;
+}
+
+bool Supervisor::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::END) {
+    Watch().SetAgent(std::nullopt);
+    return true;
+  }
+  const bool is_robot = message.agent == "robot";
+  if ((message.phase != episode_t::START &&
+       message.phase != episode_t::RUNNING) ||
+      (!is_robot && message.agent != "person")) {
+    return false;
+  }
+  Watch().SetAgent(is_robot ? Supervision::Agent::kRobot
+                            : Supervision::Agent::kPerson);
+  return true;
+}
+
+bool Supervisor::OnCommand(const command_mode_t& message) {
+  if (bus_.now() > message.deadline_utime) return false;
+  switch (message.action) {
+    case command_mode_t::HOLD:
+      Watch().HoldByOperator();
+      return true;
+    case command_mode_t::RESUME:
+      Watch().ResumeByOperator();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Supervisor::OnStatus(const status_t& message) {
+  const auto& names = params_.services;
+  if (std::find(names.begin(), names.end(), message.service) == names.end()) {
+    return false;
+  }
+  Watch().Hear(message.service, bus_.now());
+  return true;
+}
+
+bool Supervisor::OnReport(const std::string& arm, const arm_report_t& message) {
+  if (message.arm != arm) return false;
+  Watch().Hear(kArmService + arm, bus_.now());
+  return true;
+}
+
+/// The beginning of a protective stop counts: when it is cleared the device
+/// needs a moment to say so.
+bool Supervisor::OnState(const std::string& arm, const arm_state_t& message) {
+  if (message.servo < arm_state_t::FOLLOWING ||
+      message.servo > arm_state_t::STOPPED) {
+    return false;
+  }
+  const int8_t before = std::exchange(
+      servos_.try_emplace(arm, arm_state_t::FOLLOWING).first->second,
+      message.servo);
+  if (message.servo == arm_state_t::STOPPED && before != arm_state_t::STOPPED) {
+    Watch().StopProtectively(arm);
+  }
+  return true;
+}
+
+/// What a hold has stopped is no protective stop.
+bool Supervisor::OnResult(const skill_result_t& message) {
+  const auto& arms = params_.arms;
+  if (message.outcome < skill_result_t::SUCCEEDED ||
+      message.outcome > skill_result_t::STOPPED ||
+      std::find(arms.begin(), arms.end(), message.arm) == arms.end()) {
+    return false;
+  }
+  Watch().Hear(kArmService + message.arm, bus_.now());
+  const bool was_held =
+      held_utime_ && bus_.now() - *held_utime_ <= kAfterHoldUs;
+  if (message.outcome == skill_result_t::STOPPED && !was_held) {
+    Watch().StopProtectively(message.arm);
+  }
+  return true;
+}
+
+void Supervisor::OnTick() {
+  for (const Notice& notice : Watch().Update(bus_.now())) Publish(notice);
+  const Operation operation = Watch().operation();
+  if (operation.mode == Mode::kHold) held_utime_ = bus_.now();
+  PublishPermit(operation);
+  if (told_ != operation) PublishMode(operation);
+}
+
+void Supervisor::PublishPermit(const Operation& operation) {
+  const bool is_over = operation.hold == Hold::kAtOnce;
+  motion_permit_t permit{};
+  permit.header.utime = bus_.now();
+  permit.until_utime = bus_.now() + (is_over ? 0 : params_.permit_us);
+  permit.mode = static_cast<int8_t>(operation.mode);
+  permit.hold = static_cast<int8_t>(operation.hold);
+  bus_.Publish("MOTION_PERMIT", permit);
+}
+
+void Supervisor::PublishMode(const Operation& operation) {
+  told_ = operation;
+  operating_mode_t message{};
+  message.header.utime = bus_.now();
+  message.mode = static_cast<int8_t>(operation.mode);
+  message.hold = static_cast<int8_t>(operation.hold);
+  message.reason = operation.reason;
+  bus_.Publish("MODE", message);
+}
+
+void Supervisor::Publish(const Notice& notice) {
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = static_cast<int8_t>(notice.level);
+  alert.cause = notice.cause == Notice::Cause::kSilent ? alert_t::SERVICE_SILENT
+                                                       : alert_t::HELD;
+  alert.text = notice.text;
+  bus_.Publish("ALERT", alert);
+}
+
+std::unique_ptr<Service> MakeSupervisor(Bus& bus,
+                                        const Deployment& deployment) {
+  const Roster roster = Roster::FromConfig(deployment.ForService("roster"));
+  const Config config = deployment.ForService(kName);
+  Supervisor::Params params;
+  params.table = HoldTable::FromConfig(config, roster, kName);
+  params.permit_us = std::llround(1e3 * config.Number("permit_ms", 8, 1000));
+  config.Finish();
+  for (const Roster::Entry& entry : roster.entries) {
+    params.services.push_back(entry.name);
+    if (!entry.name.starts_with(kArmService)) continue;
+    params.arms.push_back(entry.name.substr(std::string(kArmService).size()));
+  }
+  return std::make_unique<Supervisor>(bus, std::move(params));
+}
+
+}  // namespace cell

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/arm_report_t.hpp"
+#include "cell/arm_state_t.hpp"
+#include "cell/command_mode_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/skill_result_t.hpp"
+#include "cell/status_t.hpp"
+#include "common/bus/bus.h"
+#include "common/config/deployment.h"
+#include "services/supervisor/supervision.h"
+
+namespace cell {
+
+/// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, SKILL_RESULT ->
+/// MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for so short a time
+/// that arms come to rest by themselves if this service dies.
+class Supervisor final : public Service {
+ public:
+  struct Params {
+    HoldTable table;
+    int64_t permit_us = 40'000;
+    std::vector<std::string> services;  ///< the roster
+    std::vector<std::string> arms;      ///< of the services robot_arm@<arm>
+  };
+
+  /// `bus` must outlive this object.
+  Supervisor(Bus& bus, Params params);
+
+ private:
+  bool OnEpisode(const episode_t& message);
+  bool OnCommand(const command_mode_t& message);
+  bool OnStatus(const status_t& message);
+  bool OnReport(const std::string& arm, const arm_report_t& message);
+  bool OnState(const std::string& arm, const arm_state_t& message);
+  bool OnResult(const skill_result_t& message);
+  Supervision& Watch();
+  void OnTick();
+  void PublishPermit(const Operation& operation);
+  void PublishMode(const Operation& operation);
+  void Publish(const Notice& notice);
+
+  Bus& bus_;
+  Params params_;
+  std::optional<Supervision> supervision_;  // from the first tick on
+  std::map<std::string, int8_t> servos_;    // last seen, by arm
+  std::optional<int64_t> held_utime_;       // last time of a hold
+  std::optional<Operation> told_;
+};
+
+std::unique_ptr<Service> MakeSupervisor(Bus& bus, const Deployment& deployment);
+
+}  // namespace cell

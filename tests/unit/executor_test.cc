@@ -1,0 +1,546 @@
+#include "services/planner/executor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cell {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Two bolts and a lid over them; the right arm inserts, the left passes on.
+constexpr char kBench[] = R"yaml(
+types: {part: object, bolt: part, lid: part, hole: object, arm: object}
+constants: {bolt_1: bolt, bolt_2: bolt, lid: lid, hole_1: hole, hole_2: hole,
+            top: object, left: arm, right: arm}
+predicates:
+  Held: {arguments: [part, arm], reported: held}
+  Reachable: {arguments: [arm, part], reported: reachable}
+  In: {arguments: [bolt, hole]}
+  Closed: {arguments: [lid]}
+actions:
+  Insert:
+    arguments: {X: bolt, Y: hole}
+    skill: {kind: insert, part: X, site: Y, arm: right}
+    robot: &right
+      - {context: ["Held(X, right)"], effects: ["not Held(X, right)"]}
+      - {context: ["Reachable(right, X)", "not Held(_, right)"], effects: []}
+    rules:
+      - context: ["not In(X, _)", "not In(_, Y)", not Closed(_)]
+        outcomes: [{probability: 0.9, effects: ["In(X, Y)"]}]
+        noise: 0.1
+  Close:
+    arguments: {X: lid}
+    skill: {kind: insert, part: X, site: top, arm: right}
+    robot: *right
+    rules:
+      - context: ["In(_, hole_1)", "In(_, hole_2)", not Closed(X)]
+        outcomes: [{probability: 0.9, effects: [Closed(X)]}]
+        noise: 0.1
+  Present:
+    arguments: {X: part}
+    agents: [robot]
+    skill: {kind: present, part: X, arm: left}
+    rules:
+      - context: ["Reachable(left, X)", "not Held(_, left)",
+                  "not Reachable(right, X)"]
+        outcomes: [{probability: 0.9, effects: ["Reachable(right, X)"]}]
+        noise: 0.1
+  PutDown:
+    arguments: {X: part, A: arm}
+    agents: [robot]
+    skill: {kind: put_down, part: X, arm: A}
+    rules:
+      - context: ["Held(X, A)"]
+        outcomes: [{probability: 0.9, effects: ["not Held(X, A)"]}]
+        noise: 0.1
+goals:
+  done: [Closed(lid)]
+  one: ["In(_, hole_1)"]
+)yaml";
+
+constexpr int64_t kStepUs = 96'000;  // an arm reports every 12 ticks
+
+/// A bench with two arms, of which a test says how what they do ends.
+class Bench : public testing::Test {
+ protected:
+  Bench() { Begin("done"); }
+
+  void Begin(const std::string& goal) {
+    executor_ = std::make_unique<Executor>(domain_, *domain_.FindGoal(goal),
+                                           params_, now_.utime);
+    executor_->Permit(true);
+  }
+
+  struct Arm {
+    int64_t request = -1;
+    std::string held;
+    std::set<std::string> reachable;
+  };
+
+  /// Time passes: arms report, asked predicates are answered, the executor
+  /// decides.
+  void Step(int num_steps = 1) {
+    for (int i = 0; i < num_steps; ++i) {
+      now_.utime += kStepUs;
+      now_.tick += 12;
+      for (const auto& [name, arm] : arms_) executor_->Take(Report(name, arm));
+      if (is_sensing_) {
+        executor_->Take(SensedState{0, now_.utime, Sensed()});
+        ++num_sensed_;
+      }
+      is_sensing_ = false;
+      const Orders orders = executor_->Decide(now_);
+      is_sensing_ = orders.sense;
+      if (orders.execution) told_.push_back(*orders.execution);
+      for (const ArmOrder& request : orders.requests) {
+        EXPECT_TRUE(ids_.insert(request.id).second);
+        asked_.push_back(Show(request));
+        requests_.push_back(request);
+        if (is_deaf_) continue;
+        Arm& arm = arms_.at(Name(request.arm));
+        EXPECT_EQ(arm.request, -1) << "two requests to one arm";
+        arm.request = request.id;
+      }
+    }
+  }
+  /// The skill that the arm does ends.
+  void End(const std::string& name,
+           ArmOutcome::Outcome outcome = ArmOutcome::Outcome::kSucceeded,
+           const std::string& reason = "") {
+    Arm& arm = arms_.at(name);
+    ASSERT_NE(arm.request, -1);
+    executor_->Take(
+        ArmOutcome{arm.request, now_.utime, Object(name), outcome, reason});
+    arm.request = -1;
+  }
+  void Succeed(const std::string& arm, const std::string& becomes_true) {
+    if (!becomes_true.empty()) true_.insert(becomes_true);
+    End(arm);
+  }
+  void Fail(const std::string& arm, const std::string& reason) {
+    End(arm, ArmOutcome::Outcome::kFailed, reason);
+  }
+
+  ArmStatus Report(const std::string& name, const Arm& arm) const {
+    ArmStatus report{Object(name), now_.utime, arm.request, std::nullopt, {}};
+    if (!arm.held.empty()) report.held = Object(arm.held);
+    for (const auto& part : arm.reachable) {
+      report.reachable.push_back(Object(part));
+    }
+    return report;
+  }
+  State Sensed() const {
+    State state(domain_.vocabulary().num_atoms());
+    for (int i = 0; i < state.num_atoms(); ++i) {
+      const std::string name = domain_.vocabulary().AtomName(i);
+      if (true_.contains(name)) state.Set(i, Truth::kTrue);
+      if (unknown_.contains(name)) state.Set(i, Truth::kUnknown);
+    }
+    return state;
+  }
+  int Object(const std::string& name) const {
+    return domain_.vocabulary().FindObject(name).value();
+  }
+  std::string Name(int object) const {
+    return domain_.vocabulary().objects()[object].name;
+  }
+  std::string Show(const ArmOrder& request) const {
+    static const std::vector<std::string> kKinds = {"insert", "present",
+                                                    "put down", "go home"};
+    std::string text =
+        Name(request.arm) + ": " + kKinds[static_cast<size_t>(request.kind)];
+    if (request.part) text += " " + Name(*request.part);
+    if (request.site) text += " at " + Name(*request.site);
+    return text;
+  }
+  std::vector<std::string> TakeAsked() { return std::exchange(asked_, {}); }
+
+  Domain domain_ =
+      Domain::FromConfig(Config::Parse(kBench, "bench"), PartTable());
+  Executor::Params params_;
+  std::map<std::string, Arm> arms_ = {
+      {"left", {}}, {"right", {-1, "", {"bolt_1", "bolt_2", "lid"}}}};
+  std::set<std::string> true_;
+  std::set<std::string> unknown_;
+  Instant now_{1'000'000, 125};
+  std::unique_ptr<Executor> executor_;
+  std::vector<std::string> asked_;
+  std::vector<ArmOrder> requests_;
+  std::vector<Execution> told_;
+  std::set<int64_t> ids_;
+  bool is_sensing_ = false;
+  bool is_deaf_ = false;  // arms lose what they are asked for
+  int num_sensed_ = 0;
+};
+
+TEST_F(Bench, DoesOneActionAfterTheOtherGoesHomeAndIsDone) {
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
+  EXPECT_EQ(told_.back().action, "Insert(bolt_1, hole_1)");
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+  Succeed("right", "In(bolt_2, hole_2)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
+  Succeed("right", "Closed(lid)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("left: go home", "right: go home"));
+  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  End("left");
+  End("right");
+  Step(10);
+  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  // What is taken apart afterwards stays so.
+  true_.clear();
+  executor_->Take(SensedState{1, now_.utime, Sensed()});
+  Step(20);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+}
+
+TEST_F(Bench, ActsOnNoStateThatIsOlderThanTheResult) {
+  Step(10);
+  const int num_sensed = num_sensed_;
+  Succeed("right", "In(bolt_1, hole_1)");
+  const int64_t end = now_.utime;
+  // An older state does not show what was done.
+  State old = Sensed();
+  executor_->Take(SensedState{0, end - 1, old});
+  executor_->Take(SensedState{0, end + params_.settle_us - 1, old});
+  Step();
+  EXPECT_EQ(asked_.size(), 1u);
+  Step(9);
+  EXPECT_EQ(asked_.size(), 2u);
+  EXPECT_GT(num_sensed_, num_sensed);
+}
+
+TEST_F(Bench, AsksAgainForPredicatesThatDoNotCome) {
+  is_sensing_ = false;
+  Step(1);
+  for (int i = 0; i < 10; ++i) {
+    is_sensing_ = false;  // the request is lost
+    Step();
+  }
+  EXPECT_THAT(asked_, IsEmpty());
+  Step(10);
+  EXPECT_EQ(asked_.size(), 1u);
+}
+
+TEST_F(Bench, DoesNothingUnlessTheModeIsExecute) {
+  executor_->Permit(false);
+  Step(20);
+  EXPECT_THAT(asked_, IsEmpty());
+  executor_->Permit(true);
+  Step(10);
+  EXPECT_EQ(asked_.size(), 1u);
+  // Held while it runs: the end counts, nothing new is begun.
+  executor_->Permit(false);
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(20);
+  EXPECT_EQ(asked_.size(), 1u);
+  executor_->Permit(true);
+  Step(10);
+  EXPECT_EQ(asked_.size(), 2u);
+}
+
+TEST_F(Bench, TriesAgainWhatHasFailedTwice) {
+  Step(10);
+  for (int i = 0; i < 2; ++i) {
+    Fail("right", "it slipped");
+    arms_["right"].held = "bolt_1";  // it stays in the gripper
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1",
+                                       "right: insert bolt_1 at hole_1",
+                                       "right: insert bolt_1 at hole_1"));
+  arms_["right"].held.clear();
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+}
+
+TEST_F(Bench, TriesSomethingElseAfterThreeFailures) {
+  Step(10);
+  for (int i = 0; i < 3; ++i) {
+    Fail("right", "it jams");
+    Step(10);
+  }
+  EXPECT_EQ(TakeAsked().back(), "right: insert bolt_1 at hole_2");
+}
+
+// Under way the hole looks filled, or the part lost.
+TEST_F(Bench, WhatIsSensedUnderWayNeitherPlansNorForgetsFailures) {
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(10);
+  for (int i = 0; i < 3; ++i) {
+    true_ = {"In(bolt_1, hole_1)"};
+    executor_->Take(SensedState{0, now_.utime, Sensed()});
+    Step();
+    true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+    Fail("right", "the lid is bent");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
+  EXPECT_EQ(told_.back().state, Execution::State::kStuck);
+}
+
+TEST_F(Bench, PassesOnOneAfterTheOtherWhileSomethingIsInserted) {
+  arms_["right"].reachable = {"bolt_1"};
+  arms_["left"].reachable = {"bolt_2", "lid"};
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1",
+                                       "left: present bolt_2"));
+  arms_["right"].reachable.insert("bolt_2");
+  End("left");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("left: present lid"));
+  for (int i = 0; i < 5; ++i) {
+    if (arms_["left"].request >= 0) Fail("left", "it slipped");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(),
+              ElementsAre("left: present lid", "left: present lid"));
+}
+
+TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(10);
+  for (int i = 0; i < 3; ++i) {
+    Fail("right", "the lid is bent");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
+  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_EQ(told_.back().text,
+            "Close(lid) has failed 3 times: the lid is bent; please do it, or "
+            "change what hinders it");
+  // The person bends it straight, which no predicate says.
+  DoneAction moved{0, now_.utime, 0, 0, {Object("lid")}, "moving lid"};
+  moved.pick_utime = now_.utime - 1;
+  executor_->Take(moved);
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
+  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+}
+
+TEST_F(Bench, WhatIsReportedAsDoneButIsNotCountsAsAFailure) {
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(10);
+  for (int i = 0; i < 3; ++i) {
+    End("right");
+    Step(10);
+  }
+  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_THAT(told_.back().text, HasSubstr("reported as done, but is not"));
+}
+
+TEST_F(Bench, WhatAHoldHasStoppedIsNoFailure) {
+  Step(10);
+  for (int i = 0; i < 5; ++i) {
+    End("right", ArmOutcome::Outcome::kStopped, "held");
+    Step(10);
+  }
+  EXPECT_THAT(TakeAsked(),
+              testing::Each(testing::Eq("right: insert bolt_1 at hole_1")));
+}
+
+TEST_F(Bench, ANewLifeOfThePlannerWaitsForTheArmsAndSenses) {
+  Step(10);
+  EXPECT_EQ(TakeAsked().size(), 1u);
+  Begin("done");
+  Step(20);
+  EXPECT_THAT(TakeAsked(), IsEmpty());  // the arm still works
+  EXPECT_FALSE(is_sensing_);
+  // Its end is nobody's; what it did is sensed.
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+}
+
+TEST_F(Bench, AnArmThatBeganAnewIsAskedAgainAfterAFreshLook) {
+  Step(10);
+  EXPECT_EQ(TakeAsked().size(), 1u);
+  const int num_sensed = num_sensed_;
+  arms_["right"].request = -1;  // its new life knows nothing
+  Step(20);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
+  EXPECT_GT(num_sensed_, num_sensed);
+}
+
+TEST_F(Bench, AnArmThatIsDeafEndsInAQuestion) {
+  is_deaf_ = true;
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(100);
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
+  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_THAT(told_.back().text, HasSubstr("the arm began anew"));
+}
+
+TEST_F(Bench, ASlowArmIsWaitedFor) {
+  Step(1000);
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(1));
+}
+
+TEST_F(Bench, AsksForExactlyThePartThatIsOutOfReachAndGoesOnWhenItIsThere) {
+  arms_["right"].reachable = {"bolt_1", "bolt_2"};
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Step(10);
+  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_EQ(told_.back().text,
+            "lid is out of reach of both arms: please move it into reach");
+  ASSERT_EQ(told_.back().needed.size(), 1u);
+  EXPECT_EQ(domain_.vocabulary().AtomName(told_.back().needed[0].atom),
+            "Reachable(left, lid)");
+  const size_t num_told = told_.size();
+  Step(100);
+  EXPECT_EQ(told_.size(), num_told);  // asked once
+  arms_["right"].reachable.insert("lid");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
+  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+}
+
+TEST_F(Bench, AStepThatThePersonDoesIsNotDoneAgain) {
+  Step(10);
+  true_.insert("In(bolt_2, hole_2)");
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_EQ(TakeAsked().back(), "right: insert lid at top");
+}
+
+TEST_F(Bench, PassesOnAPartWhileAnotherIsInserted) {
+  arms_["right"].reachable = {"bolt_1", "bolt_2"};
+  arms_["left"].reachable = {"lid"};
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1",
+                                       "left: present lid"));
+  EXPECT_EQ(told_.back().action, "Present(lid), Insert(bolt_1, hole_1)");
+  // The other arm's end does not disturb what still runs.
+  arms_["right"].held = "bolt_1";
+  arms_["right"].reachable.insert("lid");
+  End("left");
+  Step(20);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+  arms_["right"].held.clear();
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+}
+
+TEST_F(Bench, DoesOneThingAtATimeIfToldSo) {
+  params_.parallel = false;
+  Begin("done");
+  arms_["right"].reachable = {"bolt_1", "bolt_2"};
+  arms_["left"].reachable = {"lid"};
+  Step(20);
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(1));
+}
+
+TEST_F(Bench, PursuesAnotherGoalOnceTheRunningActionHasEnded) {
+  Begin("one");
+  Step(10);
+  executor_->Pursue(*domain_.FindGoal("done"));
+  Step(10);
+  EXPECT_THAT(TakeAsked(), testing::SizeIs(1));
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+}
+
+TEST_F(Bench, AGoalAfterDoneIsPursued) {
+  Begin("one");
+  true_ = {"In(bolt_1, hole_1)"};
+  Step(10);
+  End("left");
+  End("right");
+  Step(2);
+  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  TakeAsked();
+  executor_->Pursue(*domain_.FindGoal("done"));
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+}
+
+TEST_F(Bench, EmptiesItsGrippersBeforeItGoesHome) {
+  Begin("one");
+  true_ = {"In(bolt_1, hole_1)"};
+  arms_["right"].held = "bolt_2";
+  Step(10);
+  EXPECT_THAT(TakeAsked(),
+              ElementsAre("left: go home", "right: put down bolt_2"));
+  arms_["right"].held.clear();
+  End("right");
+  End("left");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: go home"));
+  for (int i = 0; i < 3; ++i) {
+    Fail("right", "the way is blocked");
+    Step(10);
+  }
+  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  EXPECT_EQ(told_.back().text, "the way is blocked");
+}
+
+TEST_F(Bench, PutsDownWhatCannotBePlacedNow) {
+  arms_["right"].held = "lid";
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: put down lid"));
+}
+
+TEST_F(Bench, LeavesStepsToThePersonAndAsksForThem) {
+  params_.help_steps = {*domain_.FindGroundAction("Close", {"lid"})};
+  true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
+  Begin("done");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_EQ(told_.back().text, "please do Close(lid)");
+  true_.insert("Closed(lid)");
+  Step(30);
+  EXPECT_THAT(TakeAsked(), ElementsAre("left: go home", "right: go home"));
+}
+
+TEST_F(Bench, WaitsForWhatIsUnknownAndThenAsks) {
+  unknown_ = {"In(bolt_1, hole_1)", "In(bolt_1, hole_2)", "In(bolt_2, hole_1)",
+              "In(bolt_2, hole_2)"};
+  Step(20);
+  EXPECT_THAT(asked_, IsEmpty());
+  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  Step(60);
+  EXPECT_THAT(asked_, IsEmpty());
+  EXPECT_EQ(told_.back().state, Execution::State::kStuck);
+  unknown_.clear();
+  Step(20);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
+}
+
+TEST_F(Bench, RequestsCarryADeadline) {
+  Step(10);
+  ASSERT_EQ(requests_.size(), 1u);
+  EXPECT_GT(requests_[0].deadline_utime, 0);
+  EXPECT_LE(requests_[0].deadline_utime, now_.utime + params_.deadline_us);
+}
+
+TEST_F(Bench, TheResultOfAnotherRequestChangesNothing) {
+  Step(10);
+  TakeAsked();
+  executor_->Take(ArmOutcome{77, now_.utime, Object("right"),
+                             ArmOutcome::Outcome::kFailed, "?"});
+  executor_->Take(ArmOutcome{requests_[0].id, now_.utime, Object("left"),
+                             ArmOutcome::Outcome::kFailed, "?"});
+  Step(20);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace cell

@@ -1,0 +1,371 @@
+// The planner as a service in the robot's episodes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cell/alert_t.hpp"
+#include "cell/execution_t.hpp"
+#include "cell/motion_permit_t.hpp"
+#include "cell/plan_t.hpp"
+#include "cell/sense_request_t.hpp"
+#include "cell/skill_request_t.hpp"
+#include "common/bus/stepper.h"
+#include "services/planner/executor_messages.h"
+#include "services/planner/planner.h"
+#include "tests/unit/cranfield_domain.h"
+
+namespace cell {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Deployment Shipped() {
+  return {CELL_SOURCE_DIR "/deploy/config",
+          CELL_SOURCE_DIR "/deploy/tasks/cranfield",
+          {}};
+}
+
+/// A planner with the latency that it has in the cell. Arms report and
+/// predicates are answered by the test.
+class RobotPlanner : public testing::Test {
+ protected:
+  RobotPlanner() { Begin(); }
+
+  void Begin() {
+    stepper_ = std::make_unique<Stepper>(
+        Stepper::Params{.name = "planner", .latency = 5});
+    service_ = MakePlanner(*stepper_, Shipped());
+  }
+  template <class M>
+  void Give(const std::string& channel, M message) {
+    message.header.utime = tick_ * kTickUs;
+    message.header.seq = next_seq_++;
+    inputs_.push_back(*MessageFromWire(channel, Bus::Encode(message)));
+  }
+  /// Time passes as it does in the cell.
+  void Run(int num_ticks) {
+    for (int i = 0; i < num_ticks; ++i) {
+      if (tick_ % 12 == 0) {
+        Give("ARM_REPORT_LEFT", left_);
+        Give("ARM_REPORT_RIGHT", right_);
+      }
+      if (tick_ % 62 == 0) Give("MODE", mode_);
+      ++tick_;
+      const auto inputs = std::exchange(inputs_, {});
+      if (stepper_->Accept(tick_, inputs) != Stepper::State::kReady) continue;
+      for (const Message& m : stepper_->Run()) Keep(m);
+    }
+  }
+  void Keep(const Message& m) {
+    if (m.channel == "PLAN") Decode(m, plans_.emplace_back());
+    if (m.channel == "ALERT") Decode(m, alerts_.emplace_back());
+    if (m.channel == "EXECUTION") Decode(m, told_.emplace_back());
+    if (m.channel == "SENSE_REQUEST") Give("PREDICATES", Predicates(state_));
+    if (m.channel != "SKILL_REQUEST") return;
+    Decode(m, requests_.emplace_back());
+    Arm(requests_.back().arm).request = requests_.back().id;
+  }
+  template <class M>
+  void Decode(const Message& message, M& decoded) {
+    ASSERT_GT(decoded.decode(message.bytes->data(), 0,
+                             static_cast<int>(message.bytes->size())),
+              0);
+  }
+
+  void Start(const std::string& agent, const std::string& goal) {
+    episode_t episode{};
+    episode.id = 1;
+    episode.phase = episode_t::START;
+    episode.agent = agent;
+    episode.goal = goal;
+    Give("EPISODE", episode);
+  }
+  void Succeed(const std::string& arm) {
+    skill_result_t result{};
+    result.id = Arm(arm).request;
+    result.arm = arm;
+    Arm(arm).request = -1;
+    Give("SKILL_RESULT", result);
+  }
+  arm_report_t& Arm(const std::string& name) {
+    return name == "left" ? left_ : right_;
+  }
+  static arm_report_t Idle(const std::string& arm,
+                           const std::vector<std::string>& reachable) {
+    arm_report_t report{};
+    report.arm = arm;
+    report.request = -1;
+    report.reachable = reachable;
+    report.num_reachable = static_cast<int32_t>(reachable.size());
+    return report;
+  }
+  predicates_t Predicates(const State& state) const {
+    predicates_t message{};
+    const Vocabulary& v = cranfield_.domain->vocabulary();
+    for (int i = 0; i < v.num_atoms(); ++i) {
+      const GroundAtom atom = v.Atom(i);
+      if (v.predicates()[atom.predicate].report) continue;
+      literal_t& literal = message.literals.emplace_back();
+      literal.predicate = v.predicates()[atom.predicate].name;
+      for (const int object : atom.objects) {
+        literal.arguments.push_back(v.objects()[object].name);
+      }
+      literal.num_arguments = static_cast<int32_t>(literal.arguments.size());
+      literal.value = static_cast<int8_t>(state.Get(i));
+    }
+    message.num_literals = static_cast<int32_t>(message.literals.size());
+    return message;
+  }
+
+  Cranfield cranfield_;
+  State state_ = cranfield_.Start();
+  arm_report_t left_ = Idle("left", {});
+  arm_report_t right_ = Idle(
+      "right", {"face_plate", "head", "pendulum", "round_peg_1", "round_peg_2",
+                "separator", "shaft", "square_peg_1", "square_peg_2"});
+  operating_mode_t mode_ = [] {
+    operating_mode_t mode{};
+    mode.mode = motion_permit_t::EXECUTE;
+    return mode;
+  }();
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<Service> service_;
+  std::vector<Message> inputs_;
+  std::vector<plan_t> plans_;
+  std::vector<alert_t> alerts_;
+  std::vector<execution_t> told_;
+  std::vector<skill_request_t> requests_;
+  int32_t tick_ = 0;
+  int32_t next_seq_ = 0;
+};
+
+TEST_F(RobotPlanner, DoesTheWholeTask) {
+  Start("robot", "assembled");
+  std::vector<std::string> done;
+  while (told_.empty() || told_.back().state != execution_t::DONE) {
+    ASSERT_LT(tick_, 10'000);
+    Run(100);
+    for (const skill_request_t& request : std::exchange(requests_, {})) {
+      if (request.skill == skill_request_t::INSERT) {
+        const std::string what = told_.back().action;
+        for (const auto& action :
+             cranfield_.domain->GroundActions(Agent::kRobot)) {
+          if (cranfield_.domain->Show(action) != what) continue;
+          state_ = cranfield_.Do(state_, action);
+        }
+        done.push_back(what);
+      }
+      Succeed(request.arm);
+    }
+  }
+  EXPECT_THAT(done, SizeIs(9));
+  EXPECT_EQ(done.back(), "PlaceFacePlate(face_plate)");
+  EXPECT_THAT(alerts_, IsEmpty());
+  EXPECT_EQ(plans_.front().num_steps, 9);
+  EXPECT_EQ(plans_.back().result, plan_t::GOAL_REACHED);
+}
+
+TEST_F(RobotPlanner, RequestsTheSkillOfTheFirstStep) {
+  Start("robot", "assembled");
+  Run(100);
+  ASSERT_THAT(requests_, SizeIs(1));
+  EXPECT_EQ(requests_[0].arm, "right");
+  EXPECT_EQ(requests_[0].skill, skill_request_t::INSERT);
+  EXPECT_EQ(requests_[0].part, "round_peg_1");
+  EXPECT_EQ(requests_[0].site, "base.round_1");
+  EXPECT_GT(requests_[0].deadline_utime, requests_[0].header.utime);
+}
+
+TEST_F(RobotPlanner, APersonsEpisodeMovesNoArm) {
+  Start("person", "assembled");
+  Give("PREDICATES", Predicates(state_));
+  Run(300);
+  EXPECT_THAT(requests_, IsEmpty());
+  EXPECT_THAT(told_, IsEmpty());
+  EXPECT_THAT(plans_, SizeIs(1));
+}
+
+TEST_F(RobotPlanner, AnAgentThatIsNobodyIsSaidOnce) {
+  Start("cat", "assembled");
+  Run(50);
+  episode_t episode{};
+  episode.id = 1;
+  episode.phase = episode_t::RUNNING;
+  episode.agent = "cat";
+  Give("EPISODE", episode);
+  Run(50);
+  ASSERT_THAT(alerts_, SizeIs(1));
+  EXPECT_EQ(alerts_[0].cause, alert_t::BAD_INPUT);
+  EXPECT_THAT(alerts_[0].text, HasSubstr("'cat'"));
+  EXPECT_THAT(requests_, IsEmpty());
+}
+
+TEST_F(RobotPlanner, ANewLifeGoesOnWithoutDoingAnythingTwice) {
+  Start("robot", "assembled");
+  Run(100);
+  ASSERT_THAT(requests_, SizeIs(1));
+  Begin();
+  episode_t episode{};
+  episode.phase = episode_t::RUNNING;
+  episode.agent = "robot";
+  episode.goal = "assembled";
+  Give("EPISODE", episode);
+  Run(200);
+  EXPECT_THAT(requests_, SizeIs(1));
+  state_ =
+      cranfield_.Do(state_, "PlaceRoundPeg", {"round_peg_1", "base.round_1"});
+  Succeed("right");
+  Run(200);
+  ASSERT_THAT(requests_, SizeIs(2));
+  EXPECT_EQ(requests_[1].part, "round_peg_2");
+  EXPECT_NE(requests_[0].id, requests_[1].id);
+}
+
+TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
+  std::erase(right_.reachable, "separator");
+  --right_.num_reachable;
+  Start("robot", "assembled");
+  Run(200);
+  ASSERT_FALSE(told_.empty());
+  EXPECT_EQ(told_.back().state, execution_t::STUCK);
+  EXPECT_EQ(told_.back().text,
+            "separator is out of reach of both arms: please move it into "
+            "reach");
+  ASSERT_EQ(told_.back().num_needed, 1);
+  EXPECT_EQ(told_.back().needed[0].predicate, "Reachable");
+  ASSERT_THAT(alerts_, SizeIs(1));
+  EXPECT_EQ(alerts_[0].cause, alert_t::STUCK);
+  right_ = Idle("right",
+                {"face_plate", "head", "pendulum", "round_peg_1", "round_peg_2",
+                 "separator", "shaft", "square_peg_1", "square_peg_2"});
+  Run(200);
+  EXPECT_THAT(requests_, SizeIs(1));
+}
+
+TEST_F(RobotPlanner, TakesAnotherGoalByCommandAndRefusesLateOrUnknownOnes) {
+  Start("robot", "assembled");
+  Run(100);
+  ASSERT_THAT(requests_, SizeIs(1));
+  command_goal_t goal{};
+  goal.goal = "round_pegs";
+  goal.deadline_utime = (tick_ + 100) * kTickUs;
+  Give("COMMAND_GOAL", goal);
+  Run(20);
+  // What runs is finished first; it was the first of the two.
+  state_ =
+      cranfield_.Do(state_, "PlaceRoundPeg", {"round_peg_1", "base.round_1"});
+  Succeed("right");
+  Run(150);
+  ASSERT_FALSE(plans_.empty());
+  EXPECT_EQ(plans_.back().num_steps, 1);
+  goal.goal = "assembled";
+  goal.deadline_utime = (tick_ - 1) * kTickUs;
+  Give("COMMAND_GOAL", goal);
+  Run(100);
+  EXPECT_EQ(plans_.back().num_steps, 1);
+  EXPECT_EQ(stepper_->num_rejected().at("COMMAND_GOAL"), 1);
+  goal.goal = "nowhere";
+  goal.deadline_utime = (tick_ + 100) * kTickUs;
+  Give("COMMAND_GOAL", goal);
+  Run(100);
+  EXPECT_EQ(stepper_->num_rejected().at("COMMAND_GOAL"), 2);
+  EXPECT_THAT(alerts_.back().text, HasSubstr("no goal 'nowhere'"));
+}
+
+TEST_F(RobotPlanner, WhoIsWatchedMayBeGivenAnotherGoal) {
+  Start("person", "assembled");
+  Give("PREDICATES", Predicates(state_));
+  Run(50);
+  command_goal_t goal{};
+  goal.goal = "round_pegs";
+  goal.deadline_utime = (tick_ + 100) * kTickUs;
+  Give("COMMAND_GOAL", goal);
+  Run(50);
+  EXPECT_EQ(plans_.back().num_steps, 2);
+}
+
+TEST_F(RobotPlanner, RejectsForgedReportsAndResults) {
+  const Domain& domain = *cranfield_.domain;
+  arm_report_t report = Idle("left", {"head", "shaft"});
+  report.header.utime = 5;
+  report.held = "pendulum";
+  EXPECT_TRUE(FromMessage(report, domain, 5).has_value());
+  const auto is_report = [&](auto change) {
+    arm_report_t forged = report;
+    change(forged);
+    return FromMessage(forged, domain, 5).has_value();
+  };
+  using R = arm_report_t;
+  EXPECT_FALSE(is_report([](R& r) { r.arm = "middle"; }));
+  EXPECT_FALSE(is_report([](R& r) { r.held = "spoon"; }));
+  EXPECT_FALSE(is_report([](R& r) { r.reachable[0] = "spoon"; }));
+  EXPECT_FALSE(is_report([](R& r) { r.reachable[0] = "shaft"; }));
+  EXPECT_FALSE(is_report([](R& r) { r.reachable[1] = "face_plate"; }));
+  EXPECT_FALSE(is_report([](R& r) { r.request = -2; }));
+  EXPECT_FALSE(is_report([](R& r) { r.header.utime = 6; }));
+  EXPECT_FALSE(is_report([](R& r) { r.header.utime = -1; }));
+
+  skill_result_t result{};
+  result.arm = "right";
+  result.peak_force = 12;
+  EXPECT_TRUE(FromMessage(result, domain, 5).has_value());
+  const auto is_result = [&](auto change) {
+    skill_result_t forged = result;
+    change(forged);
+    return FromMessage(forged, domain, 5).has_value();
+  };
+  using S = skill_result_t;
+  EXPECT_FALSE(is_result([](S& r) { r.arm = "table"; }));
+  EXPECT_FALSE(is_result([](S& r) { r.outcome = 4; }));
+  EXPECT_FALSE(is_result([](S& r) { r.outcome = -1; }));
+  EXPECT_FALSE(is_result([](S& r) { r.id = -1; }));
+  EXPECT_FALSE(is_result([](S& r) { r.header.utime = 6; }));
+  EXPECT_FALSE(is_result(
+      [](S& r) { r.peak_force = std::numeric_limits<double>::quiet_NaN(); }));
+  EXPECT_FALSE(is_result([](S& r) { r.peak_force = -1; }));
+}
+
+TEST_F(RobotPlanner, RejectsForgedModes) {
+  operating_mode_t mode{};
+  mode.mode = motion_permit_t::EXECUTE;
+  EXPECT_EQ(MayActFromMessage(mode), true);
+  mode.hold = motion_permit_t::AT_ONCE;
+  EXPECT_EQ(MayActFromMessage(mode), std::nullopt);
+  mode.mode = motion_permit_t::HOLD;
+  EXPECT_EQ(MayActFromMessage(mode), false);
+  mode.hold = 3;
+  EXPECT_EQ(MayActFromMessage(mode), std::nullopt);
+  mode.mode = 4;
+  EXPECT_EQ(MayActFromMessage(mode), std::nullopt);
+}
+
+TEST_F(RobotPlanner, AReportOfTheOtherArmIsRejected) {
+  Start("robot", "assembled");
+  Run(20);
+  Give("ARM_REPORT_LEFT", right_);
+  Run(20);
+  EXPECT_EQ(stepper_->num_rejected().at("ARM_REPORT_LEFT"), 1);
+}
+
+TEST_F(RobotPlanner, SaysThatItLivesAtLeastEachSecond) {
+  int32_t last = 0;
+  Start("robot", "assembled");
+  for (int i = 0; i < 2000; ++i) {
+    if (tick_ % 62 == 0) Give("MODE", mode_);
+    ++tick_;
+    const auto inputs = std::exchange(inputs_, {});
+    if (stepper_->Accept(tick_, inputs) != Stepper::State::kReady) continue;
+    for (const Message& m : stepper_->Run()) {
+      if (m.channel != "STATUS") continue;
+      EXPECT_LE(m.tick - last, 130);
+      last = m.tick;
+    }
+  }
+  EXPECT_GT(last, 1800);
+}
+
+}  // namespace
+}  // namespace cell
