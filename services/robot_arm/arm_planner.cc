@@ -98,39 +98,28 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
                          {motion.transit_speed, motion.transit_acceleration});
 }
 
-OrReason<PlaceGoal> ArmPlanner::Upright(const std::string& part,
-                                        const Isometry3d& X_WT) const {
-  PlaceGoal goal;
-  goal.X_WO = X_WT * Translation3d(0, 0, kOverTable - bottoms_.at(part));
-  goal.approach = params_.settings.motion.approach;
-  goal.symmetry_order = 0;  // any way round will do
-  return goal;
-}
-
-OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Joints& q) const {
-  const CellLayout::PartsArea& area = params_.layout.parts_area;
-  for (double y = -area.size.y() / 2; y <= area.size.y() / 2; y += kGrid) {
-    for (double x = -area.size.x() / 2; x <= area.size.x() / 2; x += kGrid) {
-      const Isometry3d X_WT(
-          Translation3d(area.centre.x() + x, area.centre.y() + y, 0));
-      const PlaceGoal goal = std::get<PlaceGoal>(Upright(held_->part, X_WT));
-      if (IsFree(goal) &&
-          !std::holds_alternative<std::string>(PlanPlace(goal, q))) {
-        return goal;
-      }
+OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
+                                              const Joints& q) const {
+  std::vector<Eigen::Vector2d> points;
+  for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
+    for (double x = area.min().x(); x <= area.max().x(); x += kGrid) {
+      points.emplace_back(x, y);
     }
   }
-  return "there is no free place on the table";
-}
-
-/// No part stands there.
-bool ArmPlanner::IsFree(const PlaceGoal& goal) const {
-  constexpr double kApart = 0.16;  // [m] of origins
-  for (const auto& [name, X_WO] : scene_.poses()) {
-    const Eigen::Vector3d apart = X_WO.translation() - goal.X_WO.translation();
-    if (name != held_->part && apart.head<2>().norm() < kApart) return false;
+  std::ranges::stable_sort(points, {}, [&](const Eigen::Vector2d& p) {
+    return (p - area.center()).norm();
+  });
+  PlaceGoal goal;
+  goal.approach = params_.settings.motion.approach;
+  goal.symmetry_order = 0;  // any way round will do
+  goal.is_site = false;
+  for (const Eigen::Vector2d& p : points) {
+    goal.X_WO =
+        Translation3d(p.x(), p.y(), kOverTable - bottoms_.at(held_->part));
+    const auto planned = PlanPlace(goal, q);
+    if (std::holds_alternative<Place>(planned)) return goal;
   }
-  return true;
+  return "there is no free place on the table";
 }
 
 bool ArmPlanner::IsNearSomething(const Joints& q) const {

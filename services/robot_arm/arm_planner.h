@@ -57,11 +57,10 @@ class ArmPlanner {
   OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
                                         double opening,
                                         const std::string& grip) const;
-  /// A free pose on the table that it can put what it holds to.
-  OrReason<PlaceGoal> FindFreePlace(const Joints& q) const;
-  /// What is held, upright on the table at X_WT.
-  OrReason<PlaceGoal> Upright(const std::string& part,
-                              const Eigen::Isometry3d& X_WT) const;
+  /// A free place on the table within `area` [m, in W] to which it can put what
+  /// it holds, upright; those next to the middle first.
+  OrReason<PlaceGoal> FindFreePlace(const Eigen::AlignedBox2d& area,
+                                    const Joints& q) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
@@ -72,7 +71,6 @@ class ArmPlanner {
 
  private:
   std::optional<ArmScene::Held> Held() const;
-  bool IsFree(const PlaceGoal& goal) const;
 
   Params params_;
   const ArmLayout& arm_;

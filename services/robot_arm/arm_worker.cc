@@ -14,8 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
-constexpr double kTableGap = 0.0005;  // [m] above the table, before letting go
-constexpr double kHeldWithin = 0.15;  // [m] of G: what the fingers hold
+constexpr double kHeldWithin = 0.15;    // [m] of G: what the fingers hold
 
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
@@ -218,28 +217,25 @@ void ArmWorker::PlanInsert() {
   PlanLetGo();
 }
 
-/// Upright on the station, for the other arm.
+/// Where the other arm can take it.
 void ArmWorker::PlanPresent() {
-  const auto goal = [this] {
-    return GoalAtStation();
-  };
-  if (!held_) PlanTake(goal);
-  PlanSetDown(goal);
+  if (!held_) PlanTake({});
+  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange);
 }
 
 void ArmWorker::PlanPutDown() {
-  PlanSetDown([this]() -> OrReason<PlaceGoal> {
-    return planner_.FindFreePlace(command_->q);
-  });
+  const CellLayout::PartsArea& area = params_.layout.parts_area;
+  PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2});
 }
 
-void ArmWorker::PlanSetDown(const GoalMaker& goal) {
-  PlanCarry(goal);
+void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
+  PlanCarry([this, area] {
+    planner_.SetHeld(held_);
+    return planner_.FindFreePlace(area, command_->q);
+  });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
-    const Isometry3d X_WO =
-        Translation3d(0, 0, kTableGap) * goal_.X_WO * place_.X_turn;
-    return Line(X_WO * held_->X_GO.inverse());
+    return Line(goal_.X_WO * place_.X_turn * held_->X_GO.inverse());
   });
   PlanLetGo();
   PlanGoHome();
@@ -361,11 +357,6 @@ OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
     goal.turn = params_.settings.turning.max_angle;
   }
   return goal;
-}
-
-OrReason<PlaceGoal> ArmWorker::GoalAtStation() const {
-  return planner_.Upright(request_->part,
-                          params_.layout.FindArm(params_.arm)->X_WT_station);
 }
 
 SeatingFrames ArmWorker::FramesAtSite() const {

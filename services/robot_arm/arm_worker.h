@@ -82,7 +82,7 @@ class ArmWorker {
   void PlanInsert();
   void PlanPresent();
   void PlanPutDown();
-  void PlanSetDown(const GoalMaker& goal);
+  void PlanSetDown(const Eigen::AlignedBox2d& area);
   void PlanTake(const GoalMaker& goal);
   void PlanCarry(const GoalMaker& goal);
   void PlanLetGo();
@@ -93,7 +93,6 @@ class ArmWorker {
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceGoal> GoalAtSite() const;
-  OrReason<PlaceGoal> GoalAtStation() const;
   SeatingFrames FramesAtSite() const;
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
