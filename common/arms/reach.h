@@ -49,7 +49,7 @@ class Reach {
     double open_margin = 0.014;      ///< [m] each finger, beyond the part
     double clearance = 0.008;        ///< [m] on the way
     double near_clearance = 0.0015;  ///< [m] at a grasp or a site
-    double apart = 0.02;             ///< [m] around a part that is set down
+    double apart = 0.012;            ///< [m] around a part that is set down
     double dexterity = 0.2;          ///< least one, on straight ways
   };
   template <class T>

@@ -16,7 +16,9 @@ using Eigen::Translation3d;
 constexpr double kViaHeight = 0.22;    // [m] that a way goes over things
 constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
-constexpr double kGrid = 0.05;         // [m] of the free places that are tried
+constexpr double kFromHands = 0.25;    // [m] that people's hands are given
+constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
+constexpr double kGrid = 0.03;         // [m] of the free places that are tried
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
@@ -41,7 +43,9 @@ ArmPlanner::ArmPlanner(const Params& params)
       scene_(params_.layout, params_.parts, params.arm),
       reach_(scene_, params_.parts, ReachParams(params_.settings)) {
   for (const Part& part : params_.parts.parts()) {
-    bottoms_[part.name] = PartShape(part).LowestZ(Isometry3d::Identity());
+    const PartShape& shape =
+        shapes_.emplace(part.name, PartShape(part)).first->second;
+    bottoms_[part.name] = shape.LowestZ(Isometry3d::Identity());
   }
 }
 
@@ -126,6 +130,28 @@ bool ArmPlanner::IsNearSomething(const Joints& q) const {
   return scene_
       .WhyNot({q, "", 0}, {.clearance = params_.settings.motion.clearance})
       .has_value();
+}
+
+void ArmPlanner::SetHands(std::vector<Eigen::Vector3d> points) {
+  hands_ = PointCloud(std::move(points));
+}
+
+bool ArmPlanner::IsHandNear(const Eigen::Vector3d& p_W) const {
+  return std::ranges::any_of(hands_.points(), [&](const Eigen::Vector3d& p) {
+    return (p - p_W).norm() < kFromHands;
+  });
+}
+
+std::vector<std::string> ArmPlanner::Reachable() const {
+  std::vector<std::string> reachable;
+  for (const std::string& part : reachable_) {
+    const auto pose = scene_.poses().find(part);
+    if (pose == scene_.poses().end()) continue;
+    const bool is_in_hand =
+        shapes_.at(part).DistanceTo(hands_, pose->second, kInHand) < kInHand;
+    if (!is_in_hand) reachable.push_back(part);
+  }
+  return reachable;
 }
 
 void ArmPlanner::RefreshReachable() {

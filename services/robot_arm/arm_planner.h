@@ -47,6 +47,8 @@ class ArmPlanner {
     scene_.SetOther(arm, posture);
   }
   void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
+  /// Points on persons' hands [in W].
+  void SetHands(std::vector<Eigen::Vector3d> points);
 
   /// With a goal: so that the part can also be placed there.
   OrReason<Pick> PlanPick(const std::string& part,
@@ -64,9 +66,12 @@ class ArmPlanner {
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
+  /// True if a person's hand is nearer to the point than people are given.
+  bool IsHandNear(const Eigen::Vector3d& p_W) const;
+
   /// Parts that it could take where they lie, sorted: as of the last refresh,
-  /// which looks at one part that has moved.
-  const std::vector<std::string>& reachable() const { return reachable_; }
+  /// which looks at one part that has moved. Not those in a person's hand.
+  std::vector<std::string> Reachable() const;
   void RefreshReachable();
 
  private:
@@ -80,6 +85,8 @@ class ArmPlanner {
   std::map<std::string, double> bottoms_;  // z in O of each part's lowest point
   std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
   std::vector<std::string> reachable_;
+  PointCloud hands_{{}};
+  std::map<std::string, PartShape> shapes_;
 };
 
 }  // namespace cell

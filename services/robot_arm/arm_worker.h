@@ -39,6 +39,8 @@ class ArmWorker {
 
   /// Where parts are tracked; others are unknown. [X_WO]
   void See(const std::map<std::string, Eigen::Isometry3d>& poses);
+  /// Points on persons' hands [in W].
+  void SeeHands(std::vector<Eigen::Vector3d> points);
   void SeeOther(const std::string& arm, const ArmPosture& posture);
 
   /// Takes the skill, or refuses it: then there is a result at once.
@@ -79,6 +81,7 @@ class ArmWorker {
 
   void Add(const std::string& phase, std::function<Todo::Made()> make,
            std::function<void()> then = {});
+  void AddWaitForHands(std::function<Eigen::Vector3d()> point);
   void PlanInsert();
   void PlanPresent();
   void PlanPutDown();

@@ -112,12 +112,24 @@ bool Bystander::Disturb(const World& world) {
   return true;
 }
 
-/// Some part where it belongs and can go now.
+/// Some part where it belongs and can go now. A person sees what an arm is
+/// about to place, and leaves such sites to it.
 bool Bystander::PlaceSomething(const World& world) {
+  std::vector<std::string> taken;
+  for (const ArmLayout& arm : world.layout().arms) {
+    const auto held = world.hands().HeldBy(arm.gripper);
+    if (!held) continue;
+    const auto& fits = world.table().Find(*held)->fits;
+    taken.insert(taken.end(), fits.begin(), fits.end());
+  }
+  if (taken.empty()) return false;
   std::vector<Wish> wishes;
   const std::vector<std::string> loose = LooseParts(world);
   for (const auto& [name, rule] : book_->rules) {
-    if (!IsReady(rule, world)) continue;
+    if (!IsReady(rule, world) ||
+        std::ranges::find(taken, rule.site_type) != taken.end()) {
+      continue;
+    }
     ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
       if (PartAt(site, rule, world) != nullptr) return;
       for (const std::string& part : loose) {
@@ -172,7 +184,7 @@ std::vector<std::string> Bystander::LooseParts(const World& world) const {
   return loose;
 }
 
-/// One of the script's places, or anywhere on the table.
+/// The one of the script's places with the most room, or anywhere on the table.
 std::optional<Isometry3d> Bystander::Somewhere(const std::string& part,
                                                const World& world) {
   const auto& places = script_->bystander->places;
@@ -189,9 +201,16 @@ std::optional<Isometry3d> Bystander::Somewhere(const std::string& part,
                             -std::numbers::pi, std::numbers::pi)(random_),
                         Vector3d::UnitZ())
           .toRotationMatrix();
-  X_WO.translation() << places[std::uniform_int_distribution<size_t>(
-      0, places.size() - 1)(random_)],
-      0;
+  const auto room = [&](const Eigen::Vector2d& place) {
+    double least = 1;
+    for (const Part& other : world.table().parts()) {
+      if (other.name == part) continue;
+      const Vector3d p = world.PoseOf(other.name).translation();
+      least = std::min(least, (p.head<2>() - place).norm());
+    }
+    return least;
+  };
+  X_WO.translation() << *std::ranges::max_element(places, {}, room), 0;
   X_WO.translation().z() = -tabletop_->ExtentOf(part).Lowest(X_WO);
   return X_WO;
 }
