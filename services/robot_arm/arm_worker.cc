@@ -56,6 +56,10 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   peak_force_ = 0;
   has_moved_ = false;
   failure_.clear();
+  // What an earlier life has left it at: by now it is known where parts are.
+  if (!std::exchange(knows_place_, true)) {
+    is_near_ = planner_.IsNearSomething(command_->q);
+  }
   if (is_near_) PlanDrawBack();
   switch (request.kind) {
     case SkillRequest::Kind::kInsert:
@@ -96,10 +100,7 @@ std::optional<std::string> ArmWorker::WhyNot(
 
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
-  if (!command_) {
-    command_ = ArmCommand{reading.q, reading.opening, ""};
-    is_near_ = planner_.IsNearSomething(reading.q);
-  }
+  if (!command_) command_ = ArmCommand{reading.q, reading.opening, ""};
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
   planner_.RefreshReachable();
@@ -110,7 +111,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
   rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (request_) Advance(rate_ * dt);
+  if (request_ && !is_frozen_) Advance(rate_ * dt);
   return *command_;
 }
 

@@ -114,6 +114,7 @@ class ArmWorker {
   PlaceGoal goal_;        // of the part that is put down
   Place place_;           // there
   bool is_near_ = false;  // among things: it draws back before it turns away
+  bool knows_place_ = false;  // whether it is near, from its first skill on
   double peak_force_ = 0;
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from

@@ -1,0 +1,1 @@
+cell_add_test(sim/deaths_test.cc LINK cell_cli cell_vtb cell_sec TIMEOUT 900)
