@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "common/arms/ur5.h"
@@ -11,6 +12,7 @@ namespace {
 
 using Eigen::Isometry3d;
 
+constexpr double kGraspedWithin = 0.015;  // [m] of every finger
 constexpr size_t kPlinth = 0, kBase = 1, kFirstLink = 2;
 
 Part PedestalBox(const CellLayout::Pedestal& pedestal) {
@@ -118,6 +120,30 @@ std::optional<std::string> ArmScene::WhyNot(const ArmPosture& posture,
     }
   }
   return HitsItself(links, tool, question.clearance);
+}
+
+std::optional<ArmScene::Grasped> ArmScene::FindGrasped(const Joints& q,
+                                                       double opening) const {
+  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(q) * arm_->X_FG;
+  double nearest = kGraspedWithin;
+  std::optional<Grasped> grasped;
+  for (const HandType::Grip& grip : arm_->hand.grips) {
+    for (const Body& part : parts_) {
+      if (!part.is_there || part.is_fixed) continue;
+      double farthest = 0;
+      for (size_t i = 0; i < boxes_.size(); ++i) {
+        if (!HandType::IsFinger(grip.places[i])) continue;
+        const Isometry3d X_WB = X_WG * HandType::PlaceOf(grip, i, opening);
+        farthest = std::max(
+            farthest, PartShape::Distance(boxes_[i].shape, X_WB, part.shape,
+                                          part.X_WB, kGraspedWithin));
+      }
+      if (farthest >= nearest) continue;
+      nearest = farthest;
+      grasped = {part.name, grip.name};
+    }
+  }
+  return grasped;
 }
 
 std::optional<std::string> ArmScene::HitBy(const Moving& moving, bool is_hand,

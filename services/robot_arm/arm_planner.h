@@ -47,6 +47,10 @@ class ArmPlanner {
     scene_.SetOther(arm, posture);
   }
   void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
+  std::optional<ArmScene::Grasped> FindGrasped(const Joints& q,
+                                               double opening) const {
+    return scene_.FindGrasped(q, opening);
+  }
 
   /// With a goal: so that the part can also be placed there.
   OrReason<Pick> PlanPick(const std::string& part,

@@ -15,7 +15,9 @@ using Eigen::Vector3d;
 constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kTableGap = 0.0005;  // [m] above the table, before letting go
-constexpr double kHeldWithin = 0.15;  // [m] of G: what the fingers hold
+
+constexpr double kStill = 1e-3;         // [rad/s]
+constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
@@ -101,6 +103,7 @@ std::optional<std::string> ArmWorker::WhyNot(
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
   if (!command_) command_ = ArmCommand{reading.q, reading.opening, ""};
+  still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
   planner_.RefreshReachable();
@@ -287,10 +290,10 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
 
 void ArmWorker::PlanCarry(const GoalMaker& goal) {
   Add("plan the way", [this, goal]() -> Todo::Made {
+    planner_.SetHeld(held_);
     auto made = goal();
     if (auto* reason = std::get_if<std::string>(&made)) return *reason;
     goal_ = std::get<PlaceGoal>(made);
-    planner_.SetHeld(held_);
     auto planned = planner_.PlanPlace(goal_, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
     place_ = std::get<Place>(planned);
@@ -390,20 +393,13 @@ void ArmWorker::KnowHeld() {
     if (request_) OnFailure(lost);
     return;
   }
-  if (held_ || request_ || reading_.dq.cwiseAbs().maxCoeff() > 1e-3) return;
-  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
-  double nearest = kHeldWithin;
-  std::string name;
-  for (const auto& [part, X_WO] : poses_) {
-    if (params_.parts.Find(part)->is_fixed) continue;
-    const double distance = (X_WO.translation() - X_WG.translation()).norm();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    name = part;
-  }
-  if (name.empty()) return;
+  if (held_ || request_ || still_ < kLookTime) return;
+  const auto grasped = planner_.FindGrasped(reading_.q, reading_.opening);
+  if (!grasped) return;
+  pick_.grip = grasped->grip;
   pick_.width = reading_.opening;
-  Hold(name, X_WG.inverse() * poses_.at(name));
+  Hold(grasped->part, kinematics_.GripperPose(reading_.q).inverse() *
+                          poses_.at(grasped->part));
 }
 
 }  // namespace cell

@@ -104,6 +104,7 @@ class ArmWorker {
   ArmPlanner planner_;
   std::map<std::string, Eigen::Isometry3d> poses_;
   ArmReading reading_;
+  double still_ = 0;  // [s] that it has been at rest
   std::optional<ArmCommand> command_;
   std::optional<HeldPart> held_;
   std::optional<SkillRequest> request_;

@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <iostream>
-#include <optional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "cell/alert_t.hpp"
-#include "cell/episode_t.hpp"
 #include "tests/sim/assembling_cell.h"
 #include "tests/sim/motion_watch.h"
 #include "tests/sim/skill_watch.h"
@@ -44,7 +44,7 @@ std::vector<Death> AllDeaths(const std::string& arm,
   return deaths;
 }
 
-/// Lets a service die again and again, each time in another skill.
+/// Lets a service die again and again, each time with another part.
 class Reaper {
  public:
   Reaper(AssemblingCell& cell, std::string service, std::vector<Death> deaths)
@@ -53,6 +53,9 @@ class Reaper {
       cell.On<arm_report_t>(std::string("ARM_REPORT_") + arm,
                             [this](const auto& m) { OnReport(m); });
     }
+    cell.On<skill_request_t>("SKILL_REQUEST", [this](const auto& m) {
+      parts_[m.id] = m.part;
+    });
     cell.On<alert_t>("ALERT", [this](const auto& m) { OnAlert(m); });
   }
 
@@ -84,17 +87,17 @@ class Reaper {
     if (phase == report.phase) return;
     phase = report.phase;
     const int32_t tick = cell_.tick();
-    if (report.request == last_request_) return;
+    const std::string part = parts_[report.request];
+    if (tried_.contains(part)) return;
     if (!outages_.empty() && tick < outages_.back().join_tick + kCalm) return;
-    for (auto it = planned_.begin(); it != planned_.end(); ++it) {
-      if (it->arm != report.arm || it->moment.phase != phase) continue;
-      const int32_t death = tick + it->moment.delay;
-      outages_.push_back({service_, death, death + it->duration});
-      cell_.bus().Schedule(outages_.back());
-      last_request_ = report.request;
-      planned_.erase(it);
-      return;
-    }
+    if (planned_.empty()) return;
+    const Death next = planned_.front();
+    if (next.arm != report.arm || next.moment.phase != phase) return;
+    const int32_t death = tick + next.moment.delay;
+    outages_.push_back({service_, death, death + next.duration});
+    cell_.bus().Schedule(outages_.back());
+    tried_.insert(part);
+    planned_.erase(planned_.begin());
   }
 
   void OnAlert(const alert_t& alert) {
@@ -114,7 +117,8 @@ class Reaper {
   std::vector<SimBus::Outage> outages_;
   std::vector<int32_t> alerts_;
   std::map<std::string, std::string> phases_;  // by arm
-  int64_t last_request_ = -1;
+  std::map<int64_t, std::string> parts_;       // by request
+  std::set<std::string> tried_;                // parts
 };
 
 class DeathsOf : public testing::TestWithParam<const char*> {};

@@ -58,7 +58,10 @@ class MotionWatch {
   void OnSetpoint(const std::string& name, const arm_setpoint_t& setpoint) {
     Arm& arm = arms_[name];
     const int32_t tick = setpoint.header.tick;
-    if (arm.setpoint && !IsSame(*arm.setpoint, setpoint)) {
+    // A new life begins where it finds the arm.
+    const bool is_next =
+        arm.setpoint && arm.setpoint->header.sender == setpoint.header.sender;
+    if (is_next && !IsSame(*arm.setpoint, setpoint)) {
       arm.moved_tick = tick;
       const int32_t without = tick - permit_tick_;
       max_freeze_ticks_ = std::max(max_freeze_ticks_, without);
