@@ -122,26 +122,27 @@ std::optional<std::string> ArmScene::WhyNot(const ArmPosture& posture,
   return HitsItself(links, tool, question.clearance);
 }
 
-std::optional<ArmScene::Grasped> ArmScene::FindGrasped(const Joints& q,
-                                                       double opening) const {
-  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(q) * arm_->X_FG;
+std::optional<std::string> ArmScene::FindGrasped(
+    const ArmPosture& posture) const {
+  const HandType::Grip* grip = arm_->hand.FindGrip(posture.grip);
+  if (grip == nullptr) return std::nullopt;
+  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(posture.q) * arm_->X_FG;
   double nearest = kGraspedWithin;
-  std::optional<Grasped> grasped;
-  for (const HandType::Grip& grip : arm_->hand.grips) {
-    for (const Body& part : parts_) {
-      if (!part.is_there || part.is_fixed) continue;
-      double farthest = 0;
-      for (size_t i = 0; i < boxes_.size(); ++i) {
-        if (!HandType::IsFinger(grip.places[i])) continue;
-        const Isometry3d X_WB = X_WG * HandType::PlaceOf(grip, i, opening);
-        farthest = std::max(
-            farthest, PartShape::Distance(boxes_[i].shape, X_WB, part.shape,
-                                          part.X_WB, kGraspedWithin));
-      }
-      if (farthest >= nearest) continue;
-      nearest = farthest;
-      grasped = {part.name, grip.name};
+  std::optional<std::string> grasped;
+  for (const Body& part : parts_) {
+    if (!part.is_there || part.is_fixed) continue;
+    double farthest = 0;
+    for (size_t i = 0; i < boxes_.size(); ++i) {
+      if (!HandType::IsFinger(grip->places[i])) continue;
+      farthest = std::max(
+          farthest, PartShape::Distance(
+                        boxes_[i].shape,
+                        X_WG * HandType::PlaceOf(*grip, i, posture.opening),
+                        part.shape, part.X_WB, kGraspedWithin));
     }
+    if (farthest >= nearest) continue;
+    nearest = farthest;
+    grasped = part.name;
   }
   return grasped;
 }

@@ -50,13 +50,8 @@ class ArmScene {
   std::optional<std::string> WhyNot(const ArmPosture& posture,
                                     const Question& question) const;
 
-  /// What fingers `opening` [m] apart grip at `q`, and how they stand: the part
-  /// that the farthest of them is nearest to.
-  struct Grasped {
-    std::string part;
-    std::string grip;
-  };
-  std::optional<Grasped> FindGrasped(const Joints& q, double opening) const;
+  /// What the fingers grip: the part that the farthest of them is nearest to.
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
 
   const ArmLayout& arm() const { return *arm_; }
   const std::map<std::string, Eigen::Isometry3d>& poses() const {

@@ -47,9 +47,8 @@ class ArmPlanner {
     scene_.SetOther(arm, posture);
   }
   void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
-  std::optional<ArmScene::Grasped> FindGrasped(const Joints& q,
-                                               double opening) const {
-    return scene_.FindGrasped(q, opening);
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const {
+    return scene_.FindGrasped(posture);
   }
 
   /// With a goal: so that the part can also be placed there.

@@ -102,7 +102,7 @@ std::optional<std::string> ArmWorker::WhyNot(
 
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
-  if (!command_) command_ = ArmCommand{reading.q, reading.opening, ""};
+  if (!command_) command_ = ArmCommand{reading.q, reading.opening, reading.stance};
   still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
@@ -394,12 +394,13 @@ void ArmWorker::KnowHeld() {
     return;
   }
   if (held_ || request_ || still_ < kLookTime) return;
-  const auto grasped = planner_.FindGrasped(reading_.q, reading_.opening);
-  if (!grasped) return;
-  pick_.grip = grasped->grip;
+  const auto part = planner_.FindGrasped(
+      {reading_.q, reading_.stance, reading_.opening});
+  if (!part) return;
+  pick_.grip = reading_.stance;
   pick_.width = reading_.opening;
-  Hold(grasped->part, kinematics_.GripperPose(reading_.q).inverse() *
-                          poses_.at(grasped->part));
+  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
+  Hold(*part, X_WG.inverse() * poses_.at(*part));
 }
 
 }  // namespace cell
