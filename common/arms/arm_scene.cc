@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "common/arms/ur5.h"
@@ -11,6 +12,7 @@ namespace {
 
 using Eigen::Isometry3d;
 
+constexpr double kGraspedWithin = 0.015;  // [m] of every finger
 constexpr size_t kPlinth = 0, kBase = 1, kFirstLink = 2;
 
 Part PedestalBox(const CellLayout::Pedestal& pedestal) {
@@ -118,6 +120,31 @@ std::optional<std::string> ArmScene::WhyNot(const ArmPosture& posture,
     }
   }
   return HitsItself(links, tool, question.clearance);
+}
+
+std::optional<std::string> ArmScene::FindGrasped(
+    const ArmPosture& posture) const {
+  const HandType::Grip* grip = arm_->hand.FindGrip(posture.grip);
+  if (grip == nullptr) return std::nullopt;
+  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(posture.q) * arm_->X_FG;
+  double nearest = kGraspedWithin;
+  std::optional<std::string> grasped;
+  for (const Body& part : parts_) {
+    if (!part.is_there || part.is_fixed) continue;
+    double farthest = 0;
+    for (size_t i = 0; i < boxes_.size(); ++i) {
+      if (!HandType::IsFinger(grip->places[i])) continue;
+      farthest = std::max(
+          farthest, PartShape::Distance(
+                        boxes_[i].shape,
+                        X_WG * HandType::PlaceOf(*grip, i, posture.opening),
+                        part.shape, part.X_WB, kGraspedWithin));
+    }
+    if (farthest >= nearest) continue;
+    nearest = farthest;
+    grasped = part.name;
+  }
+  return grasped;
 }
 
 std::optional<std::string> ArmScene::HitBy(const Moving& moving, bool is_hand,

@@ -51,6 +51,9 @@ class ArmScene {
   std::optional<std::string> WhyNot(const ArmPosture& posture,
                                     const Question& question) const;
 
+  /// What the fingers grip: the part that the farthest of them is nearest to.
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
+
   const ArmLayout& arm() const { return *arm_; }
   const std::map<std::string, Eigen::Isometry3d>& poses() const {
     return poses_;

@@ -49,6 +49,10 @@ class ArmPlanner {
   void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
   /// Points on persons' hands [in W].
   void SetHands(std::vector<Eigen::Vector3d> points);
+  /// The part that all fingers touch.
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const {
+    return scene_.FindGrasped(posture);
+  }
 
   /// With a goal: so that the part can also be placed there.
   OrReason<Pick> PlanPick(const std::string& part,

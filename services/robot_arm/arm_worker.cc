@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kPatience = 15;        // [s] with people's hands
-constexpr double kHeldWithin = 0.15;    // [m] of G: what the fingers hold
+constexpr double kStill = 1e-3;         // [rad/s]
+constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
@@ -60,6 +61,10 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   peak_force_ = 0;
   has_moved_ = false;
   failure_.clear();
+  // What an earlier life has left it at: by now it is known where parts are.
+  if (!std::exchange(knows_place_, true)) {
+    is_near_ = planner_.IsNearSomething(command_->q);
+  }
   if (is_near_) PlanDrawBack();
   switch (request.kind) {
     case SkillRequest::Kind::kInsert:
@@ -100,10 +105,9 @@ std::optional<std::string> ArmWorker::WhyNot(
 
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
-  if (!command_) {
-    command_ = ArmCommand{reading.q, reading.opening, ""};
-    is_near_ = planner_.IsNearSomething(reading.q);
-  }
+  if (!command_)
+    command_ = ArmCommand{reading.q, reading.opening, reading.stance};
+  still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
   planner_.RefreshReachable();
@@ -114,7 +118,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
   rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (request_) Advance(rate_ * dt);
+  if (request_ && !is_frozen_) Advance(rate_ * dt);
   return *command_;
 }
 
@@ -302,10 +306,10 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
 
 void ArmWorker::PlanCarry(const GoalMaker& goal) {
   Add("plan the way", [this, goal]() -> Todo::Made {
+    planner_.SetHeld(held_);
     auto made = goal();
     if (auto* reason = std::get_if<std::string>(&made)) return *reason;
     goal_ = std::get<PlaceGoal>(made);
-    planner_.SetHeld(held_);
     auto planned = planner_.PlanPlace(goal_, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
     place_ = std::get<Place>(planned);
@@ -401,20 +405,14 @@ void ArmWorker::KnowHeld() {
     if (request_) OnFailure(lost);
     return;
   }
-  if (held_ || request_ || reading_.dq.cwiseAbs().maxCoeff() > 1e-3) return;
-  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
-  double nearest = kHeldWithin;
-  std::string name;
-  for (const auto& [part, X_WO] : poses_) {
-    if (params_.parts.Find(part)->is_fixed) continue;
-    const double distance = (X_WO.translation() - X_WG.translation()).norm();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    name = part;
-  }
-  if (name.empty()) return;
+  if (held_ || request_ || still_ < kLookTime) return;
+  const auto part =
+      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+  if (!part) return;
+  pick_.grip = reading_.stance;
   pick_.width = reading_.opening;
-  Hold(name, X_WG.inverse() * poses_.at(name));
+  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
+  Hold(*part, X_WG.inverse() * poses_.at(*part));
 }
 
 }  // namespace cell

@@ -106,6 +106,7 @@ class ArmWorker {
   ArmPlanner planner_;
   std::map<std::string, Eigen::Isometry3d> poses_;
   ArmReading reading_;
+  double still_ = 0;  // [s] that it has been at rest
   std::optional<ArmCommand> command_;
   std::optional<HeldPart> held_;
   std::optional<SkillRequest> request_;
@@ -116,6 +117,7 @@ class ArmWorker {
   PlaceGoal goal_;        // of the part that is put down
   Place place_;           // there
   bool is_near_ = false;  // among things: it draws back before it turns away
+  bool knows_place_ = false;  // whether it is near, from its first skill on
   double peak_force_ = 0;
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from

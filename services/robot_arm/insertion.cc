@@ -105,7 +105,8 @@ void Insertion::Watch(const ContactWrench& contact, double height, double dt) {
   }
   stall_time_ += dt;
   if (stall_time_ < kStallTime) return;
-  if (std::abs(height - params_.end_height) <= params_.tolerance) {
+  const double left = height - params_.end_height;
+  if (left <= params_.tolerance && left >= -params_.tolerance - params_.give) {
     state_ = State::kDone;
     return;
   }

@@ -37,6 +37,7 @@ class Insertion {
     double tilt_dither = 0;        ///< [rad]
     double end_height = 0;         ///< [m] from the seat where it is done
     double tolerance = 0.0008;     ///< [m] either way of it
+    double give = 0.002;           ///< [m] the grip may yield: it seems deeper
     double timeout = 30;           ///< [s]
     double max_force = 100;        ///< [N] no part is pushed harder
   };

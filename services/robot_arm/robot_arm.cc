@@ -35,6 +35,7 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message) {
     return std::nullopt;
   }
   reading.opening = message.opening;
+  reading.stance = message.stance;
   reading.is_gripping = message.grip == arm_state_t::GRIPPING;
   reading.is_stopped = message.servo == arm_state_t::STOPPED;
   return reading;

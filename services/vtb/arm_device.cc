@@ -71,6 +71,7 @@ void ArmDevice::Publish(const World& world) {
   std::copy_n(servo_.position().data(), 6, state.position);
   std::copy_n(servo_.velocity().data(), 6, state.velocity);
   state.opening = gripper_.opening();
+  state.stance = gripper_.stance();
   state.grip = static_cast<int8_t>(gripper_.state(world));
   state.servo = static_cast<int8_t>(servo_.state());
   bus_.Publish("ARM_STATE_" + suffix_, state);
