@@ -203,8 +203,9 @@ TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
 }
 
 TEST_F(CellCommand, EveryCommandShowsAnExample) {
-  for (const char* command : {"", "demo", "sim", "replay", "diff", "eval",
-                              "eval watch", "view", "episode"}) {
+  for (const char* command :
+       {"", "demo", "sim", "replay", "diff", "eval", "eval watch",
+        "eval assembly", "eval insertion", "check", "view", "episode"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -1,1 +1,2 @@
 cell_add_test(unit/assembly_score_test.cc LINK cell_cli cell_vtb cell_sec)
+cell_add_test(unit/motion_check_test.cc LINK cell_cli cell_arms cell_geometry cell_sec cell_tracker)
