@@ -73,6 +73,7 @@ class ArmPlanner {
  private:
   std::optional<ArmScene::Held> Held() const;
   bool IsFree(const PlaceGoal& goal) const;
+  double OverBorder(const Joints& q) const;
 
   Params params_;
   const ArmLayout& arm_;
