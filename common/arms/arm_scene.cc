@@ -125,7 +125,9 @@ std::optional<std::string> ArmScene::HitBy(const Moving& moving, bool is_hand,
   const double clearance = question.clearance;
   const std::string held = question.held ? question.held->part : "";
   const bool is_held = *moving.name == held;
-  if (moving.shape->LowestZ(moving.X_WB) < (is_held ? 0 : clearance)) {
+  const double over_table =
+      question.over_table < 0 ? clearance : question.over_table;
+  if (moving.shape->LowestZ(moving.X_WB) < (is_held ? 0 : over_table)) {
     return Hit(*moving.name, "the table");
   }
   const auto hits = [&](const Body& body) {
@@ -143,6 +145,7 @@ std::optional<std::string> ArmScene::HitBy(const Moving& moving, bool is_hand,
     if (is_among_parts && hits(fixture)) return Hit(*moving.name, fixture.name);
   }
   for (const auto& [name, bodies] : others_) {
+    if (question.only_fixed) break;
     for (const Body& body : bodies) {
       if (hits(body)) return Hit(*moving.name, body.name);
     }

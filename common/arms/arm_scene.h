@@ -32,11 +32,12 @@ class ArmScene {
   };
   /// What is asked of a posture.
   struct Question {
-    double clearance = 0;      ///< [m] to everything
+    double clearance = 0;      ///< [m] to everything ...
+    double over_table = -1;    ///< [m] ... but the table; negative: to it, too
     std::optional<Held> held;  ///< moves with the gripper
     std::string grasped;       ///< part that the hand may touch
     bool is_seated = false;    ///< the held part may touch parts and pedestal
-    bool only_fixed = false;   ///< parts that can be moved do not count
+    bool only_fixed = false;   ///< parts and arms that can move do not count
   };
 
   ArmScene(const CellLayout& layout, const PartTable& parts,

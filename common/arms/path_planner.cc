@@ -121,6 +121,14 @@ std::optional<Path> PathPlanner::Find(const Joints& from, const Joints& to,
       return Path{from, q, to};
     }
   }
+  for (const Joints& a : via) {
+    if (!is_straight_free(from, a)) continue;
+    for (const Joints& b : via) {
+      if (a != b && is_straight_free(b, to) && is_straight_free(a, b)) {
+        return Path{from, a, b, to};
+      }
+    }
+  }
   std::mt19937_64 random(params_.seed);
   auto path = Connect(from, to, params_, random, is_straight_free);
   if (!path) return std::nullopt;

@@ -9,16 +9,16 @@
 
 namespace cell {
 
-/// Finds a way for an arm through its joint space: straight, by way of one of
-/// the postures offered, or by RRT-Connect (Kuffner and LaValle, 2000), then
-/// shortened. The same question gives the same answer.
+/// Finds a way for an arm through its joint space: straight, by way of one or
+/// two of the postures offered, or by RRT-Connect (Kuffner and LaValle, 2000),
+/// then shortened. The same question gives the same answer.
 class PathPlanner {
  public:
   struct Params {
     double step = 0.04;    ///< [rad] of the fastest joint, between two looks
     double reach = 0.35;   ///< [rad] that a tree grows by
     double margin = 1.2;   ///< [rad] beyond start and goal that is searched
-    int max_tries = 1500;  ///< to grow a tree
+    int max_tries = 3000;  ///< to grow a tree
     int num_shortcuts = 60;
     uint64_t seed = 1;
   };

@@ -187,8 +187,10 @@ Reach::OrReason<std::vector<Place>> Reach::Places(const ArmScene::Held& held,
         excuse.Note(3, "the straight way to the place leads out of reach");
         continue;
       }
-      question.clearance = params_.near_clearance;
-      question.is_seated = true;
+      question.clearance =
+          goal.is_site ? params_.near_clearance : params_.apart;
+      question.over_table = params_.near_clearance;
+      question.is_seated = goal.is_site;
       if (auto hit = scene_.WhyNot({*at_place, grip, width}, question)) {
         excuse.Note(4, *hit);
         continue;

@@ -28,6 +28,8 @@ struct PlaceGoal {
   /// [rad] that the part is turned by at the end, clockwise seen along -z of
   /// its O, by the last joint.
   double turn = 0;
+  /// At a site: the part touches others there. Else it stands free.
+  bool is_site = true;
 };
 
 /// How an arm can bring a part there.
@@ -46,7 +48,8 @@ class Reach {
     double approach = 0.10;          ///< [m] straight way to a grasp
     double open_margin = 0.014;      ///< [m] each finger, beyond the part
     double clearance = 0.008;        ///< [m] on the way
-    double near_clearance = 0.0015;  ///< [m] at a grasp or a place
+    double near_clearance = 0.0015;  ///< [m] at a grasp or a site
+    double apart = 0.012;            ///< [m] around a part that is set down
     double dexterity = 0.2;          ///< least one, on straight ways
   };
   template <class T>

@@ -49,8 +49,10 @@ ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
   arm.workspace = Eigen::AlignedBox3d(Vector3(workspace, "low"),
                                       Vector3(workspace, "high"));
   if (arm.workspace.isEmpty()) workspace.Fail("low lies above high");
-  const Eigen::Vector2d station = Vector2(config, "station");
-  arm.X_WT_station.translation() << station, 0;
+  const Config exchange = config["exchange"];
+  arm.exchange =
+      Eigen::AlignedBox2d(Vector2(exchange, "low"), Vector2(exchange, "high"));
+  if (arm.exchange.isEmpty()) exchange.Fail("low lies above high");
   return arm;
 }
 

@@ -29,8 +29,8 @@ struct ArmLayout {
   Eigen::Vector3d p_F_tool = Eigen::Vector3d::Zero();  ///< its centre of mass
   /// The origin of G stays within.
   Eigen::AlignedBox3d workspace;
-  /// Upright parts are set down here for the other arm.
-  Eigen::Isometry3d X_WT_station = Eigen::Isometry3d::Identity();
+  /// Parts are set down here, upright, for the other arm.
+  Eigen::AlignedBox2d exchange;
 
   /// The arm called `name`. @throws ConfigError naming file:key.
   static ArmLayout FromConfig(const std::string& name, const Config& config,

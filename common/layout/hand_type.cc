@@ -1,5 +1,7 @@
 #include "common/layout/hand_type.h"
 
+#include <algorithm>
+
 #include "common/layout/vectors.h"
 
 namespace cell {
@@ -36,6 +38,16 @@ HandType HandTypeFromConfig(const std::string& name, const Config& config) {
 }
 
 }  // namespace
+
+std::vector<HandType::Box> HandType::Fingers() const {
+  std::vector<Box> fingers;
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    const bool is_finger = std::ranges::any_of(
+        grips, [&](const Grip& grip) { return IsFinger(grip.places[i]); });
+    if (is_finger) fingers.push_back(boxes[i]);
+  }
+  return fingers;
+}
 
 const HandType::Grip* HandType::FindGrip(const std::string& grip) const {
   for (const Grip& known : grips) {

@@ -33,6 +33,8 @@ struct HandType {
   std::vector<Grip> grips;
   double max_opening = 0;  ///< [m]
 
+  /// The boxes that move in some grip.
+  std::vector<Box> Fingers() const;
   /// Nothing if it cannot grip so.
   const Grip* FindGrip(const std::string& grip) const;
   /// X_GB of box `index` at an opening [m].

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cell/episode_t.hpp"
 #include "common/bus/bus.h"
 
 namespace cell {
@@ -16,30 +15,57 @@ void AppendDecoded(const Message& message, std::vector<M>* list) {
 }  // namespace
 
 void EpisodeObserver::Put(const Message& message) {
-  record_.last_utime =
-      std::max(record_.last_utime, int64_t{message.tick} * kTickUs);
+  EpisodeRecord& record = records_.back();
+  record.last_utime =
+      std::max(record.last_utime, int64_t{message.tick} * kTickUs);
   if (message.channel == "ACTION") {
-    AppendDecoded(message, &record_.actions);
+    AppendDecoded(message, &record.actions);
   } else if (message.channel == "TRUTH_ACTIONS") {
-    AppendDecoded(message, &record_.truth_actions);
+    AppendDecoded(message, &record.truth_actions);
   } else if (message.channel == "ALERT") {
-    AppendDecoded(message, &record_.alerts);
+    AppendDecoded(message, &record.alerts);
   } else if (message.channel == "PLAN") {
-    AppendDecoded(message, &record_.plans);
+    AppendDecoded(message, &record.plans);
+  } else if (message.channel == "SKILL_REQUEST") {
+    AppendDecoded(message, &record.requests);
+  } else if (message.channel == "SKILL_RESULT") {
+    AppendDecoded(message, &record.results);
+  } else if (message.channel == "EXECUTION") {
+    if (auto execution = Decode<execution_t>(message)) {
+      record.execution = std::move(*execution);
+    }
   } else if (message.channel == "KEY_FRAME") {
     if (const auto frame = Decode<key_frame_t>(message)) {
-      record_.key_frame_utimes[frame->index] = frame->header.utime;
+      record.key_frame_utimes[frame->index] = frame->header.utime;
     }
   } else if (message.channel == "TRUTH_POSES") {
-    if (auto poses = Decode<truth_poses_t>(message)) {
-      record_.last_poses = std::move(*poses);
-    }
+    PutPoses(message);
   } else if (message.channel == "EPISODE") {
     const auto episode = Decode<episode_t>(message);
     if (!episode) return;
-    if (episode->phase == episode_t::START) record_ = EpisodeRecord{};
-    record_.has_ended = episode->phase == episode_t::END;
+    if (episode->phase == episode_t::START) {
+      if (has_begun_) records_.emplace_back();
+      records_.back() = EpisodeRecord{};
+      records_.back().episode = *episode;
+      has_begun_ = true;
+    }
+    records_.back().has_ended = episode->phase == episode_t::END;
   }
+}
+
+void EpisodeObserver::PutPoses(const Message& message) {
+  auto poses = Decode<truth_poses_t>(message);
+  EpisodeRecord& record = records_.back();
+  // What lies about between two episodes belongs to none.
+  if (!poses || record.has_ended) return;
+  constexpr int64_t kApartUs = 200'000;
+  if (record.last_poses &&
+      (!record.earlier_poses ||
+       poses->header.utime - record.earlier_poses->header.utime >
+           2 * kApartUs)) {
+    record.earlier_poses = record.last_poses;
+  }
+  record.last_poses = std::move(*poses);
 }
 
 }  // namespace cell

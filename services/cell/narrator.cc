@@ -6,9 +6,13 @@
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
+#include "cell/execution_t.hpp"
 #include "cell/key_frame_t.hpp"
+#include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/skill_request_t.hpp"
+#include "cell/skill_result_t.hpp"
 #include "services/cell/episode_observer.h"
 
 namespace cell {
@@ -43,6 +47,21 @@ const char* NameOf(int8_t relation) {
   }
 }
 
+const char* NameOfSkill(int8_t skill) {
+  switch (skill) {
+    case skill_request_t::INSERT:
+      return "seat";
+    case skill_request_t::PRESENT:
+      return "pass on";
+    case skill_request_t::PUT_DOWN:
+      return "put down";
+    case skill_request_t::FETCH:
+      return "fetch";
+    default:
+      return "go home";
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> Narrator::Tell(const Message& message) {
@@ -52,6 +71,10 @@ std::vector<std::string> Narrator::Tell(const Message& message) {
   if (message.channel == "PLAN") return TellPlan(message);
   if (message.channel == "ALERT") return TellAlert(message);
   if (message.channel == "EPISODE") return TellEpisode(message);
+  if (message.channel == "SKILL_REQUEST") return TellRequest(message);
+  if (message.channel == "SKILL_RESULT") return TellResult(message);
+  if (message.channel == "EXECUTION") return TellExecution(message);
+  if (message.channel == "MODE") return TellMode(message);
   return {};
 }
 
@@ -149,6 +172,50 @@ std::vector<std::string> Narrator::TellAlert(const Message& message) {
   return {Line(alert->header.utime, fmt::format("{}: {}", level, alert->text))};
 }
 
+std::vector<std::string> Narrator::TellRequest(const Message& message) {
+  const auto request = Decode<skill_request_t>(message);
+  if (!request) return {};
+  std::string what = fmt::format("the {} arm is to {}", request->arm,
+                                 NameOfSkill(request->skill));
+  if (!request->part.empty()) what += " " + request->part;
+  if (!request->site.empty()) what += " at " + request->site;
+  return {Line(request->header.utime, what)};
+}
+
+std::vector<std::string> Narrator::TellResult(const Message& message) {
+  const auto result = Decode<skill_result_t>(message);
+  if (!result) return {};
+  const bool is_good = result->outcome == skill_result_t::SUCCEEDED;
+  std::string what =
+      fmt::format("the {} arm {}", result->arm,
+                  is_good ? "has done it" : "has not: " + result->reason);
+  if (result->peak_force > 0) {
+    what += fmt::format(" (at most {:.0f} N)", result->peak_force);
+  }
+  return {Line(result->header.utime, what)};
+}
+
+std::vector<std::string> Narrator::TellExecution(const Message& message) {
+  const auto execution = Decode<execution_t>(message);
+  if (!execution) return {};
+  if (execution->state == execution_t::DONE) {
+    return {Line(execution->header.utime, "the task is done")};
+  }
+  if (execution->state == execution_t::STUCK) {
+    return {Line(execution->header.utime, "QUESTION: " + execution->text)};
+  }
+  return {};
+}
+
+std::vector<std::string> Narrator::TellMode(const Message& message) {
+  const auto mode = Decode<operating_mode_t>(message);
+  if (!mode || mode->reason == hold_reason_) return {};
+  hold_reason_ = mode->reason;
+  return {Line(mode->header.utime, hold_reason_.empty()
+                                       ? "the cell goes on"
+                                       : "HOLD: " + hold_reason_)};
+}
+
 std::vector<std::string> Narrator::TellEpisode(const Message& message) {
   const auto episode = Decode<episode_t>(message);
   if (!episode) return {};
@@ -162,8 +229,8 @@ std::vector<std::string> Narrator::TellEpisode(const Message& message) {
       Line(episode->header.utime,
            fmt::format("episode {}: task {}, goal {}, {} (seed {})",
                        episode->id, episode->task, episode->goal,
-                       episode->demonstration.empty()
-                           ? "nobody acts"
+                       episode->agent == "robot"
+                           ? "the cell does it"
                            : "a person does '" + episode->demonstration + "'",
                        episode->seed))};
 }

@@ -11,8 +11,8 @@
 namespace cell {
 
 /// Tells what happens in a cell in plain words: key frames, recognised actions,
-/// predicates that changed, the plan, alerts. Pure: messages in canonical
-/// order in, lines out.
+/// predicates that changed, the plan, what arms do, alerts. Pure: messages in
+/// canonical order in, lines out.
 class Narrator {
  public:
   std::vector<std::string> Tell(const Message& message);
@@ -24,9 +24,14 @@ class Narrator {
   std::vector<std::string> TellPlan(const Message& message);
   std::vector<std::string> TellAlert(const Message& message);
   std::vector<std::string> TellEpisode(const Message& message);
+  std::vector<std::string> TellRequest(const Message& message);
+  std::vector<std::string> TellResult(const Message& message);
+  std::vector<std::string> TellExecution(const Message& message);
+  std::vector<std::string> TellMode(const Message& message);
 
   std::map<std::pair<std::string, std::string>, int8_t> relations_;
   std::map<std::string, int8_t> literals_;
+  std::string hold_reason_;  // last told
 };
 
 }  // namespace cell

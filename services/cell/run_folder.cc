@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 namespace cell {
 namespace {
@@ -59,6 +60,13 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
     throw std::runtime_error(run.path.string() + ": cannot be written");
   }
   return run;
+}
+
+void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
+  const fs::path file = deployment.config_dir / "planner.yaml";
+  YAML::Node planner = YAML::LoadFile(file.string());
+  planner["execution"]["help_steps"] = actions;
+  std::ofstream(file) << planner << "\n";
 }
 
 RunFolder RunFolder::Open(const std::string& path) {

@@ -26,6 +26,8 @@ struct RunFolder {
                           const Deployment& source,
                           const std::string& demonstration, uint64_t seed);
 
+  /// The planner of this run asks a person for these actions.
+  void LeaveToPerson(const std::vector<std::string>& actions) const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.
   static RunFolder Open(const std::string& path);
 };

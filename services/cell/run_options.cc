@@ -13,13 +13,25 @@ void RunOptions::AddTo(CLI::App& command) {
   command.add_option("--seed", seed, "where all chance comes from")
       ->capture_default_str();
   command.add_option("--out", out, "run folder (default: runs/...)");
+  command
+      .add_option("--help-steps", help_steps,
+                  "actions of the robot that it leaves to the person beside "
+                  "it, as in the task's domain")
+      ->delimiter(',');
   command.add_flag("--hash", is_hash,
                    "print nothing but one digest per channel");
 }
 
 RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   const CellFiles files = FindCellFiles(deploy_dir);
-  return RunFolder::Create(out, kind, files.deployment, demonstration, seed);
+  std::string episodes = demonstration;
+  if (!help_steps.empty() && episodes.empty()) {
+    episodes = "assembly+execution_helped";
+  }
+  RunFolder run =
+      RunFolder::Create(out, kind, files.deployment, episodes, seed);
+  if (!help_steps.empty()) run.LeaveToPerson(help_steps);
+  return run;
 }
 
 }  // namespace cell

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "services/cell/run_folder.h"
 
@@ -18,6 +19,7 @@ struct RunOptions {
   uint64_t seed = 1;
   std::string out;
   bool is_hash = false;
+  std::vector<std::string> help_steps;
 
   void AddTo(CLI::App& command);
   /// @param kind begins the folder's name if none is given.

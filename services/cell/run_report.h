@@ -22,12 +22,13 @@ class RunReport {
   void Follow();
   /// A word from the launcher, between the lines.
   void Say(const std::string& line);
-  /// Sums up, draws the final picture into the run folder.
-  /// @return 0 if the episode came to its end.
+  /// Sums up, draws the end of each episode into the run folder.
+  /// @return 0 if the last episode came to its end.
   int Finish();
 
  private:
-  std::string DrawPicture() const;
+  std::string DrawPicture(const EpisodeRecord& record,
+                          const std::string& name) const;
 
   const RunFolder& run_;
   bool is_hash_;

@@ -42,6 +42,8 @@ struct Execution {
   std::string action;        ///< being done; empty: none
   std::string text;          ///< kStuck: the question to the person
   std::vector<Wish> needed;  ///< kStuck: what would have to be otherwise
+  /// kStuck: the step that is left to a person.
+  std::optional<GroundAction> step = {};
   bool operator==(const Execution&) const = default;
 };
 

@@ -58,6 +58,9 @@ void Executor::Take(const ArmOutcome& result) {
 
 void Executor::Take(const DoneAction& action) {
   if (!stuck_utime_ || action.pick_utime < *stuck_utime_) return;
+  // The person has let go: what is there now is to be looked at.
+  asked_for_.reset();
+  fresh_utime_ = std::max(fresh_utime_, action.utime + params_.settle_us);
   for (const int object : action.objects) attempts_.ForgetAbout(object);
 }
 
@@ -69,6 +72,7 @@ void Executor::Pursue(Goal goal) {
   stage_ = Stage::kWorking;
   undecided_utime_.reset();
   stuck_utime_.reset();
+  asked_for_.reset();
 }
 
 Orders Executor::Decide(Instant now) {
@@ -111,6 +115,9 @@ void Executor::Work(Instant now, Orders& orders) {
   const State state = arms_.WithReports(sensed_->state);
   // While something is under way the state may look odd: no new plan for it.
   if (!running_.empty()) return PassOn(state, now, orders);
+  if (IsPersonAtIt(state, now)) {
+    return Sense(now, params_.watch_period_us, orders);
+  }
   attempts_.Update(state);
   const Plan& plan = FindPlan(state);
   if (!told_plan_ || told_plan_->plan != plan) {
@@ -149,7 +156,9 @@ void Executor::Act(const Plan& plan, const State& state, Instant now,
                    Orders& orders) {
   const GroundAction& action = plan.steps.at(0).action;
   if (IsForPerson(action)) {
-    return AskPerson(AskForStep(action, domain_), {}, now, orders);
+    return AskPerson(
+        {Execution::State::kStuck, "", AskForStep(action, domain_), {}, action},
+        state, now, orders);
   }
   if (!IsSurelyPossible(domain_, action, state)) {
     return WaitOrAsk(plan, state, now, orders);
@@ -171,30 +180,48 @@ void Executor::PassOn(const State& state, Instant now, Orders& orders) {
 /// Asks the person if there is no way; what cannot be decided may clear up.
 void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
                          Orders& orders) {
+  const auto ask = [&](const std::string& text, std::vector<Wish> needed) {
+    AskPerson({Execution::State::kStuck, "", text, std::move(needed)}, state,
+              now, orders);
+  };
   if (plan.result == Plan::Result::kNoPlan) {
     if (!question_) {
       question_ = AskForHelp(
           plan, state, PlanSearch(domain_, goal_, params_.search), attempts_);
     }
-    return AskPerson(*question_, plan.needed, now, orders);
+    return ask(*question_, plan.needed);
   }
   if (!undecided_utime_) undecided_utime_ = now.utime;
   if (now.utime - *undecided_utime_ >= params_.patience_us) {
     const bool is_found = plan.result == Plan::Result::kFound;
-    return AskPerson(is_found ? "it cannot be seen whether " +
-                                    domain_.Show(plan.steps[0].action) +
-                                    " is possible"
-                              : plan.reason,
-                     {}, now, orders);
+    return ask(is_found
+                   ? "it cannot be seen whether " +
+                         domain_.Show(plan.steps[0].action) + " is possible"
+                   : plan.reason,
+               {});
   }
   Sense(now, params_.sense_period_us, orders);
 }
 
-void Executor::AskPerson(const std::string& text, std::vector<Wish> needed,
-                         Instant now, Orders& orders) {
+void Executor::AskPerson(Execution question, const State& state, Instant now,
+                         Orders& orders) {
   if (!stuck_utime_) stuck_utime_ = now.utime;
-  Tell({Execution::State::kStuck, "", text, std::move(needed)}, orders);
+  if (!asked_for_) asked_for_ = Asked{state, state, now.utime};
+  Tell(std::move(question), orders);
   Sense(now, params_.watch_period_us, orders);
+}
+
+/// While a person is at what was asked for the state may look odd: it is
+/// looked at when the person has let go, or when it has stayed as it is.
+bool Executor::IsPersonAtIt(const State& state, Instant now) {
+  if (!asked_for_ || state == asked_for_->state) return false;
+  if (state != asked_for_->latest) {
+    asked_for_->latest = state;
+    asked_for_->since_utime = now.utime;
+  }
+  if (now.utime - asked_for_->since_utime < params_.patience_us) return true;
+  asked_for_.reset();
+  return false;
 }
 
 void Executor::Sense(Instant now, int64_t period_us, Orders& orders) {

@@ -64,6 +64,11 @@ class Executor {
     std::optional<int> part;
     State before;
   };
+  struct Asked {
+    State state;              // that the question was about
+    State latest;             // another one ...
+    int64_t since_utime = 0;  // ... that has stayed since then
+  };
   enum class Stage { kWorking, kClearingUp, kDone };
 
   void Work(Instant now, Orders& orders);
@@ -83,8 +88,9 @@ class Executor {
   void Start(ArmOrder request, Running running, Instant now, Orders& orders);
   void WaitOrAsk(const Plan& plan, const State& state, Instant now,
                  Orders& orders);
-  void AskPerson(const std::string& text, std::vector<Wish> needed, Instant now,
+  void AskPerson(Execution question, const State& state, Instant now,
                  Orders& orders);
+  bool IsPersonAtIt(const State& state, Instant now);
   void ClearUp(Instant now, Orders& orders);
   void Tell(Execution execution, Orders& orders);
   std::string WhatRuns() const;
@@ -109,6 +115,7 @@ class Executor {
   std::optional<int64_t> asked_utime_;      // when sensing was asked for
   std::optional<int64_t> undecided_utime_;  // since when
   std::optional<int64_t> stuck_utime_;      // since when
+  std::optional<Asked> asked_for_;          // until a person has acted
   std::map<int, int> num_clearings_;        // failed, by arm
   std::set<int> home_;
   std::string left_over_;  // what clearing up could not do

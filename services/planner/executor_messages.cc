@@ -146,6 +146,13 @@ execution_t ToMessage(const Execution& execution, const Domain& domain) {
     message.needed.push_back(ToMessage(wish, domain.vocabulary()));
   }
   message.num_needed = static_cast<int32_t>(message.needed.size());
+  const auto skill =
+      execution.step ? domain.SkillOf(*execution.step) : std::nullopt;
+  if (skill && skill->site) {
+    const auto& objects = domain.vocabulary().objects();
+    message.help_part = objects[skill->part].name;
+    message.help_site = objects[*skill->site].name;
+  }
   return message;
 }
 

@@ -32,7 +32,25 @@ int64_t Duration(const Config& config, const std::string& key, double high_ms) {
   return std::llround(1e3 * config.Number(key, 0, high_ms));
 }
 
-Executor::Params LoadExecutor(const Config& config,
+/// All ground actions of the actions that are named.
+std::set<GroundAction> LoadSteps(const std::vector<Config>& names,
+                                 const Domain& domain) {
+  std::set<GroundAction> steps;
+  for (const Config& name : names) {
+    const size_t before = steps.size();
+    for (const GroundAction& action : domain.GroundActions(Agent::kRobot)) {
+      if (domain.actions()[action.action].name == name.As<std::string>()) {
+        steps.insert(action);
+      }
+    }
+    if (steps.size() == before) {
+      name.Fail("the robot has no action '" + name.As<std::string>() + "'");
+    }
+  }
+  return steps;
+}
+
+Executor::Params LoadExecutor(const Config& config, const Domain& domain,
                               const PlanSearch::Params& search) {
   constexpr double kMinuteMs = 60'000;
   Executor::Params params;
@@ -46,6 +64,7 @@ Executor::Params LoadExecutor(const Config& config,
   params.lost_us = Duration(config, "lost_ms", kMinuteMs);
   params.max_attempts = config.Integer("max_attempts", 1, 100);
   params.parallel = config.Get<bool>("parallel");
+  params.help_steps = LoadSteps(config.ItemsOf("help_steps"), domain);
   return params;
 }
 
@@ -63,7 +82,8 @@ Planner::Params LoadParams(const Deployment& deployment) {
   params.monitor.min_detour =
       config.Number("min_detour", 0, std::numeric_limits<double>::max());
   params.monitor.max_remembered = config.Integer("max_remembered", 1, 1 << 20);
-  params.executor = LoadExecutor(config["execution"], params.search);
+  params.executor =
+      LoadExecutor(config["execution"], params.domain, params.search);
   config.Finish();
   return params;
 }

@@ -15,6 +15,8 @@ Recorder::Recorder(Bus& bus, const std::filesystem::path& run_dir)
       [this](const std::string& channel, std::span<const uint8_t> bytes) {
         OnMessage(channel, bytes);
       });
+  bus_.Every(1, 0,
+             [this] { store_.Append(order_.TakeBefore(complete_before_)); });
 }
 
 void Recorder::OnMessage(const std::string& channel,
@@ -45,8 +47,9 @@ void Recorder::OnTick(const Message& message) {
     ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
   }
   order_.Put(message);
-  // The clock's messages of the last tick have come; others' do not count.
-  store_.Append(order_.TakeBefore(tick.is_last ? k + 1 : k));
+  // Of the last tick only the clock's messages count: they are all there once
+  // this tick's have been handled.
+  complete_before_ = tick.is_last ? k + 1 : k;
 }
 
 void Recorder::ReportGap(int32_t from, int32_t to) {

@@ -16,7 +16,9 @@ using Eigen::Translation3d;
 constexpr double kViaHeight = 0.22;    // [m] that a way goes over things
 constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
-constexpr double kGrid = 0.05;         // [m] of the free places that are tried
+constexpr double kFromHands = 0.25;    // [m] that people's hands are given
+constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
+constexpr double kGrid = 0.03;         // [m] of the free places that are tried
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
 constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
@@ -42,7 +44,9 @@ ArmPlanner::ArmPlanner(const Params& params)
       scene_(params_.layout, params_.parts, params.arm),
       reach_(scene_, params_.parts, ReachParams(params_.settings)) {
   for (const Part& part : params_.parts.parts()) {
-    bottoms_[part.name] = PartShape(part).LowestZ(Isometry3d::Identity());
+    const PartShape& shape =
+        shapes_.emplace(part.name, PartShape(part)).first->second;
+    bottoms_[part.name] = shape.LowestZ(Isometry3d::Identity());
   }
 }
 
@@ -111,45 +115,56 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
                          {motion.transit_speed, motion.transit_acceleration});
 }
 
-OrReason<PlaceGoal> ArmPlanner::Upright(const std::string& part,
-                                        const Isometry3d& X_WT) const {
-  PlaceGoal goal;
-  goal.X_WO = X_WT * Translation3d(0, 0, kOverTable - bottoms_.at(part));
-  goal.approach = params_.settings.motion.approach;
-  goal.symmetry_order = 0;  // any way round will do
-  return goal;
-}
-
-OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Joints& q) const {
-  const CellLayout::PartsArea& area = params_.layout.parts_area;
-  for (double y = -area.size.y() / 2; y <= area.size.y() / 2; y += kGrid) {
-    for (double x = -area.size.x() / 2; x <= area.size.x() / 2; x += kGrid) {
-      const Isometry3d X_WT(
-          Translation3d(area.centre.x() + x, area.centre.y() + y, 0));
-      const PlaceGoal goal = std::get<PlaceGoal>(Upright(held_->part, X_WT));
-      if (IsFree(goal) &&
-          !std::holds_alternative<std::string>(PlanPlace(goal, q))) {
-        return goal;
-      }
+OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
+                                              const Joints& q) const {
+  std::vector<Eigen::Vector2d> points;
+  for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
+    for (double x = area.min().x(); x <= area.max().x(); x += kGrid) {
+      points.emplace_back(x, y);
     }
   }
-  return "there is no free place on the table";
-}
-
-/// No part stands there.
-bool ArmPlanner::IsFree(const PlaceGoal& goal) const {
-  constexpr double kApart = 0.16;  // [m] of origins
-  for (const auto& [name, X_WO] : scene_.poses()) {
-    const Eigen::Vector3d apart = X_WO.translation() - goal.X_WO.translation();
-    if (name != held_->part && apart.head<2>().norm() < kApart) return false;
+  std::ranges::stable_sort(points, {}, [&](const Eigen::Vector2d& p) {
+    return (p - area.center()).norm();
+  });
+  PlaceGoal goal;
+  goal.approach = params_.settings.motion.approach;
+  goal.symmetry_order = 0;  // any way round will do
+  goal.is_site = false;
+  for (const Eigen::Vector2d& p : points) {
+    goal.X_WO =
+        Translation3d(p.x(), p.y(), kOverTable - bottoms_.at(held_->part));
+    const auto planned = PlanPlace(goal, q);
+    if (std::holds_alternative<Place>(planned)) return goal;
   }
-  return true;
+  return "there is no free place on the table";
 }
 
 bool ArmPlanner::IsNearSomething(const Joints& q) const {
   return scene_
       .WhyNot({q, "", 0}, {.clearance = params_.settings.motion.clearance})
       .has_value();
+}
+
+void ArmPlanner::SetHands(std::vector<Eigen::Vector3d> points) {
+  hands_ = PointCloud(std::move(points));
+}
+
+bool ArmPlanner::IsHandNear(const Eigen::Vector3d& p_W) const {
+  return std::ranges::any_of(hands_.points(), [&](const Eigen::Vector3d& p) {
+    return (p - p_W).norm() < kFromHands;
+  });
+}
+
+std::vector<std::string> ArmPlanner::Reachable() const {
+  std::vector<std::string> reachable;
+  for (const std::string& part : reachable_) {
+    const auto pose = scene_.poses().find(part);
+    if (pose == scene_.poses().end()) continue;
+    const bool is_in_hand =
+        shapes_.at(part).DistanceTo(hands_, pose->second, kInHand) < kInHand;
+    if (!is_in_hand) reachable.push_back(part);
+  }
+  return reachable;
 }
 
 void ArmPlanner::RefreshReachable() {

@@ -47,6 +47,8 @@ class ArmPlanner {
     scene_.SetOther(arm, posture);
   }
   void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
+  /// Points on persons' hands [in W].
+  void SetHands(std::vector<Eigen::Vector3d> points);
 
   /// With a goal: so that the part can also be placed there.
   OrReason<Pick> PlanPick(const std::string& part,
@@ -57,22 +59,23 @@ class ArmPlanner {
   OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
                                         double opening,
                                         const std::string& grip) const;
-  /// A free pose on the table that it can put what it holds to.
-  OrReason<PlaceGoal> FindFreePlace(const Joints& q) const;
-  /// What is held, upright on the table at X_WT.
-  OrReason<PlaceGoal> Upright(const std::string& part,
-                              const Eigen::Isometry3d& X_WT) const;
+  /// A free place on the table within `area` [m, in W] to which it can put what
+  /// it holds, upright; those next to the middle first.
+  OrReason<PlaceGoal> FindFreePlace(const Eigen::AlignedBox2d& area,
+                                    const Joints& q) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
+  /// True if a person's hand is nearer to the point than people are given.
+  bool IsHandNear(const Eigen::Vector3d& p_W) const;
+
   /// Parts that it could take where they lie, sorted: as of the last refresh,
-  /// which looks at one part that has moved.
-  const std::vector<std::string>& reachable() const { return reachable_; }
+  /// which looks at one part that has moved. Not those in a person's hand.
+  std::vector<std::string> Reachable() const;
   void RefreshReachable();
 
  private:
   std::optional<ArmScene::Held> Held() const;
-  bool IsFree(const PlaceGoal& goal) const;
   double OverBorder(const Joints& q) const;
 
   Params params_;
@@ -83,6 +86,8 @@ class ArmPlanner {
   std::map<std::string, double> bottoms_;  // z in O of each part's lowest point
   std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
   std::vector<std::string> reachable_;
+  PointCloud hands_{{}};
+  std::map<std::string, PartShape> shapes_;
 };
 
 }  // namespace cell

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
-constexpr double kTableGap = 0.0005;  // [m] above the table, before letting go
-constexpr double kHeldWithin = 0.15;  // [m] of G: what the fingers hold
+constexpr double kPatience = 15;        // [s] with people's hands
+constexpr double kHeldWithin = 0.15;    // [m] of G: what the fingers hold
 
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
@@ -37,8 +37,12 @@ void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture) {
   planner_.SetOther(arm, posture);
 }
 
+void ArmWorker::SeeHands(std::vector<Vector3d> points) {
+  planner_.SetHands(std::move(points));
+}
+
 std::vector<std::string> ArmWorker::Reachable() const {
-  return planner_.reachable();
+  return planner_.Reachable();
 }
 
 // ---- one skill at a time
@@ -162,12 +166,13 @@ void ArmWorker::OnFailure(const std::string& reason) {
                fmt::format("{}; and then: {}", failure_, reason));
   }
   failure_ = reason;
-  if (!is_near_) return;
-  if (!held_ && !reading_.is_gripping) {
+  if (is_near_ && !held_ && !reading_.is_gripping) {
     const double open = command_->opening + 2 * kLetGoMargin;
     Add("open", [=, this] { return Fingers(open, Until::kThere); });
   }
-  PlanDrawBack();
+  if (is_near_) PlanDrawBack();
+  // Who only passes parts on leaves the room to the other.
+  if (request_->kind != SkillRequest::Kind::kInsert) PlanGoHome();
 }
 
 void ArmWorker::End(SkillResult::Outcome outcome, const std::string& reason) {
@@ -187,6 +192,15 @@ std::optional<SkillResult> ArmWorker::TakeResult() {
 void ArmWorker::Add(const std::string& phase, std::function<Todo::Made()> make,
                     std::function<void()> then) {
   todos_.push_back({phase, std::move(make), std::move(then)});
+}
+
+/// People come first: it waits until their hands are away from the point.
+void ArmWorker::AddWaitForHands(std::function<Vector3d()> point) {
+  Add("wait for the person", [this, point]() -> Todo::Made {
+    return std::make_unique<WaitUntil>(
+        [this, point] { return !planner_.IsHandNear(point()); }, kPatience,
+        "a person's hand is in the way");
+  });
 }
 
 void ArmWorker::PlanInsert() {
@@ -218,28 +232,25 @@ void ArmWorker::PlanInsert() {
   PlanLetGo();
 }
 
-/// Upright on the station, for the other arm.
+/// Where the other arm can take it.
 void ArmWorker::PlanPresent() {
-  const auto goal = [this] {
-    return GoalAtStation();
-  };
-  if (!held_) PlanTake(goal);
-  PlanSetDown(goal);
+  if (!held_) PlanTake({});
+  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange);
 }
 
 void ArmWorker::PlanPutDown() {
-  PlanSetDown([this]() -> OrReason<PlaceGoal> {
-    return planner_.FindFreePlace(command_->q);
-  });
+  const CellLayout::PartsArea& area = params_.layout.parts_area;
+  PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2});
 }
 
-void ArmWorker::PlanSetDown(const GoalMaker& goal) {
-  PlanCarry(goal);
+void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
+  PlanCarry([this, area] {
+    planner_.SetHeld(held_);
+    return planner_.FindFreePlace(area, command_->q);
+  });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
-    const Isometry3d X_WO =
-        Translation3d(0, 0, kTableGap) * goal_.X_WO * place_.X_turn;
-    return Line(X_WO * held_->X_GO.inverse());
+    return Line(goal_.X_WO * place_.X_turn * held_->X_GO.inverse());
   });
   PlanLetGo();
   PlanGoHome();
@@ -259,15 +270,20 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
     pick_ = std::get<Pick>(planned);
     return std::unique_ptr<SkillStage>();
   });
+  AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
   Add("open", [this] { return Fingers(pick_.opening, Until::kThere); });
   Add("go to " + request_->part, [this] { return Transit(pick_.q_approach); });
+  AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
   Add("reach", [this] {
     is_near_ = true;
     return Line(poses_.at(request_->part) * pick_.X_OG);
   });
   Add(
       "close",
-      [this] {
+      [this]() -> Todo::Made {
+        if (planner_.IsHandNear(poses_.at(request_->part).translation())) {
+          return "a person's hand is at " + request_->part;
+        }
         return Fingers(pick_.width - params_.settings.fingers.close_beyond,
                        Until::kGripping);
       },
@@ -295,6 +311,7 @@ void ArmWorker::PlanCarry(const GoalMaker& goal) {
     place_ = std::get<Place>(planned);
     return std::unique_ptr<SkillStage>();
   });
+  AddWaitForHands([this] { return goal_.X_WO.translation(); });
   Add("carry", [this] { return Transit(place_.q_approach); });
 }
 
@@ -363,11 +380,6 @@ OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
     goal.turn = params_.settings.turning.max_angle;
   }
   return goal;
-}
-
-OrReason<PlaceGoal> ArmWorker::GoalAtStation() const {
-  return planner_.Upright(request_->part,
-                          params_.layout.FindArm(params_.arm)->X_WT_station);
 }
 
 SeatingFrames ArmWorker::FramesAtSite() const {

@@ -39,6 +39,8 @@ class ArmWorker {
 
   /// Where parts are tracked; others are unknown. [X_WO]
   void See(const std::map<std::string, Eigen::Isometry3d>& poses);
+  /// Points on persons' hands [in W].
+  void SeeHands(std::vector<Eigen::Vector3d> points);
   void SeeOther(const std::string& arm, const ArmPosture& posture);
 
   /// Takes the skill, or refuses it: then there is a result at once.
@@ -79,10 +81,11 @@ class ArmWorker {
 
   void Add(const std::string& phase, std::function<Todo::Made()> make,
            std::function<void()> then = {});
+  void AddWaitForHands(std::function<Eigen::Vector3d()> point);
   void PlanInsert();
   void PlanPresent();
   void PlanPutDown();
-  void PlanSetDown(const GoalMaker& goal);
+  void PlanSetDown(const Eigen::AlignedBox2d& area);
   void PlanTake(const GoalMaker& goal);
   void PlanCarry(const GoalMaker& goal);
   void PlanLetGo();
@@ -93,7 +96,6 @@ class ArmWorker {
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceGoal> GoalAtSite() const;
-  OrReason<PlaceGoal> GoalAtStation() const;
   SeatingFrames FramesAtSite() const;
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();

@@ -82,6 +82,12 @@ SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
   return is_over ? State::kDone : State::kRunning;
 }
 
+SkillStage::State WaitUntil::Step(const ArmReading&, double dt, ArmCommand*) {
+  if (is_so_()) return State::kDone;
+  time_ += dt;
+  return time_ < patience_ ? State::kRunning : State::kFailed;
+}
+
 MoveFingers::MoveFingers(double opening, const std::string& grip, Until until)
     : opening_(opening), grip_(grip), until_(until) {}
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "common/arms/joint_trajectory.h"
 #include "services/robot_arm/contact_sensor.h"
@@ -41,6 +43,25 @@ class MoveOnLine : public SkillStage {
   bool has_begun_ = false;
   double duration_ = 0, time_ = 0;
   std::string reason_;
+};
+
+/// Waits while something is in the way, for a while.
+class WaitUntil : public SkillStage {
+ public:
+  /// `reason`: why it fails if it is not so after `patience` [s].
+  WaitUntil(std::function<bool()> is_so, double patience, std::string reason)
+      : is_so_(std::move(is_so)),
+        patience_(patience),
+        reason_(std::move(reason)) {}
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+  std::string reason() const override { return reason_; }
+
+ private:
+  std::function<bool()> is_so_;
+  double patience_;
+  std::string reason_;
+  double time_ = 0;
 };
 
 /// Opens or closes the fingers and waits for them.

@@ -53,6 +53,9 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
       name_(params.worker.arm),
       suffix_(ChannelSuffix(name_)),
       worker_(std::make_unique<ArmWorker>(params_.worker)) {
+  for (const auto& hand : params_.worker.layout.hands) {
+    persons_hands_.insert(hand.name);
+  }
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const auto& m) { return OnEpisode(m); });
   bus.Subscribe<motion_permit_t>(
@@ -126,12 +129,17 @@ bool RobotArm::OnTracks(const tracks_t& message) {
   const auto tracks = TracksFromMessage(message, params_.cast);
   if (!tracks) return false;
   std::map<std::string, Eigen::Isometry3d> poses;
+  std::vector<Eigen::Vector3d> hands;
   for (const Track& track : tracks->tracks) {
     if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
       poses.emplace(track.name, track.X_WO);
     }
+    if (persons_hands_.contains(track.name)) {
+      hands.insert(hands.end(), track.points.begin(), track.points.end());
+    }
   }
   worker_->See(poses);
+  worker_->SeeHands(std::move(hands));
   return true;
 }
 

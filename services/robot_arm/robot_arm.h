@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cell/arm_report_t.hpp"
@@ -50,6 +51,7 @@ class RobotArm final : public Service {
   Bus& bus_;
   Params params_;
   std::string name_, suffix_;
+  std::set<std::string> persons_hands_;
   std::unique_ptr<ArmWorker> worker_;  // of the episode
   std::optional<ArmReading> reading_;
   std::optional<ArmReading::SensedWrench> wrench_;

@@ -9,11 +9,15 @@ namespace cell {
 IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
                            const Params& params)
     : cast_(cast) {
-  for (const auto& [hand, type] : layout.AllHands()) {
-    for (const HandType::Box& box : type->boxes) {
-      surfaces_[hand][hand + "." + box.name] =
-          SampleBoxSurface(box.half_extents, params.hand_spacing);
-    }
+  const auto add = [&](const std::string& hand, const HandType::Box& box) {
+    surfaces_[hand][hand + "." + box.name] =
+        SampleBoxSurface(box.half_extents, params.hand_spacing);
+  };
+  for (const CellLayout::Hand& hand : layout.hands) {
+    for (const HandType::Box& box : hand.type.boxes) add(hand.name, box);
+  }
+  for (const ArmLayout& arm : layout.arms) {
+    for (const HandType::Box& box : arm.hand.Fingers()) add(arm.gripper, box);
   }
 }
 

@@ -20,7 +20,8 @@ struct TruthPoses {
 
 /// Stands in for perfect sensing: tracks made of ground truth, so that the
 /// levels above can be built and judged by themselves (section IV). Parts are
-/// tracked with confidence 1; hands are points on their surface.
+/// tracked with confidence 1; hands are points on their surface, grippers
+/// points on their fingers.
 class IdealTracker {
  public:
   struct Params {

@@ -29,7 +29,7 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
       gripper_(layout.gripper, layout.hand, shapes, params.gripper) {
   bus.Subscribe<arm_setpoint_t>(
       "ARM_SETPOINT_" + suffix_,
-      [this](const arm_setpoint_t& m) { return OnSetpoint(m); }, 1);
+      [this](const arm_setpoint_t& m) { return OnSetpoint(m); });
 }
 
 void ArmDevice::Reset(World& world) {

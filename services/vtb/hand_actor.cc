@@ -289,6 +289,13 @@ bool HandActor::Act(World& world) {
              (opening_to_ - opening_from_) * MinimumJerk(time_ / duration);
   if (time_ < duration) return false;
   if (order.step == Step::kClose) {
+    if (world.hands().IsHeld(order.part)) {  // somebody else was quicker
+      steps_.clear();
+      steps_.push_back(order);
+      steps_.push_back({Step::kRetreat, order.part, "", {}});
+      GoToRest();
+      return true;
+    }
     world.hands().Grip(hand_, order.part);
     X_GO_ = X_WG_.inverse() * world.PoseOf(order.part);
     tries_ = 0;

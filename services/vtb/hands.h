@@ -62,6 +62,7 @@ class Hands {
   std::optional<std::string> HeldBy(const std::string& hand) const;
   const State& StateOf(const std::string& hand) const;
   bool IsHeld(int part) const;
+  bool IsHeld(const std::string& part) const { return IsHeld(PartIndex(part)); }
   /// On the hand by what it holds, in G about its origin, mean over the last
   /// call of World::Run(). Zero of a hand that holds nothing.
   Wrench WrenchOn(const std::string& hand) const;

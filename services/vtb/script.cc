@@ -81,6 +81,37 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
   return rule;
 }
 
+Script::Bystander BystanderFromConfig(const Config& config) {
+  using Kind = Script::Bystander::Kind;
+  Script::Bystander bystander;
+  bystander.helps = config.GetOr("helps", false);
+  if (!config.Has("disturbs")) return bystander;
+  const Config disturbs = config["disturbs"];
+  const auto how = disturbs.Get<std::string>("how");
+  if (how == "move") {
+    bystander.kind = Kind::kMove;
+  } else if (how == "return") {
+    bystander.kind = Kind::kReturn;
+  } else if (how == "place") {
+    bystander.kind = Kind::kPlace;
+  } else {
+    disturbs["how"].Fail("'" + how + "' is none of move, return, place");
+  }
+  bystander.count = CountOf(disturbs);
+  const std::vector<double> within = disturbs.Numbers("within_s", 2);
+  if (!(within[0] >= 0 && within[1] >= within[0])) {
+    disturbs["within_s"].Fail("should be [low, high]");
+  }
+  bystander.earliest = within[0];
+  bystander.latest = within[1];
+  for (const Config& place : disturbs.ItemsOf("to")) {
+    const auto xy = place.As<std::vector<double>>();
+    if (xy.size() != 2) place.Fail("should be [x, y]");
+    bystander.places.emplace_back(xy[0], xy[1]);
+  }
+  return bystander;
+}
+
 Script ScriptFromConfig(const Config& config, const std::string& name) {
   Script script;
   script.name = name;
@@ -105,6 +136,9 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
     script.too_early = config.Get<std::string>("too_early");
   }
   script.lay_outside = NamesOf(config, "lay_outside");
+  if (config.Has("bystander")) {
+    script.bystander = BystanderFromConfig(config["bystander"]);
+  }
   return script;
 }
 

@@ -42,6 +42,21 @@ struct Script {
   /// Rule whose part is placed although another must come first, and then
   /// taken back.
   std::optional<std::string> too_early;
+  /// A person beside the robot.
+  struct Bystander {
+    enum class Kind {
+      kMove,    ///< a part to another place
+      kReturn,  ///< the same, after having kept it a while
+      kPlace    ///< where it belongs
+    };
+    bool helps = false;  ///< does what the cell asks for
+    Kind kind = Kind::kMove;
+    CountRange count;                 ///< of what disturbs
+    double earliest = 0, latest = 0;  ///< [s] in the episode
+    /// [m] in the plane of W, where moved parts go; none: anywhere free.
+    std::vector<Eigen::Vector2d> places;
+  };
+  std::optional<Bystander> bystander;
   /// Part types of which one is laid down outside the workspace, at the end.
   std::vector<std::string> lay_outside;
 };

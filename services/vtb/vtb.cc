@@ -26,6 +26,7 @@ constexpr int32_t kRunningPeriod = 125;
 constexpr int32_t kForeverTicks = 1 << 30;
 /// An episode ends when everything has been still so long, or anyway after ...
 constexpr int32_t kRestTicks = 125, kMaxRestTicks = 625;
+constexpr int32_t kAskTicks = 500;
 constexpr double kStill = 0.002;  // [m/s]
 
 int StepsPerTick(double dt) {
@@ -91,7 +92,11 @@ void Vtb::Prepare(const Request& request) {
   for (const auto& arm : arms_) arm->Reset(world_);
   request_ = request;
   script_ = &book_->scripts.at(request.demonstration);
-  is_robot_done_ = false;
+  bystander_.reset();
+  if (script_->bystander) {
+    bystander_.emplace(book_, request.demonstration, request.seed, world_);
+  }
+  robot_state_ = execution_t::RUNNING;
   num_still_ = 0;
 }
 
@@ -116,9 +121,15 @@ bool Vtb::OnCommand(const command_episode_t& message) {
 }
 
 bool Vtb::OnExecution(const execution_t& message) {
-  is_robot_done_ = message.state != execution_t::RUNNING;
-  return message.state >= execution_t::RUNNING &&
-         message.state <= execution_t::STUCK;
+  if (message.state < execution_t::RUNNING ||
+      message.state > execution_t::STUCK) {
+    return false;
+  }
+  robot_state_ = message.state;
+  if (message.state == execution_t::STUCK && bystander_) {
+    bystander_->AskFor(message.help_part, message.help_site);
+  }
+  return true;
 }
 
 void Vtb::OnTick() {
@@ -132,6 +143,7 @@ void Vtb::OnTick() {
     PublishEpisode(episode_t::START);
   }
   demonstrator_->Update(kTick, world_);
+  if (bystander_) bystander_->Update(kTick, world_);
   for (const auto& arm : arms_) arm->Update(kTick, world_);
   world_.Run(steps_per_tick_);
   for (const auto& arm : arms_) arm->Publish(world_);
@@ -146,9 +158,10 @@ void Vtb::OnTick() {
 bool Vtb::HasAgentFinished() const {
   if (!demonstrator_->is_done()) return false;
   if (script_->agent == "person") return true;
-  return is_robot_done_ && std::ranges::all_of(arms_, [](const auto& arm) {
-           return arm->IsAtRest();
-         });
+  return robot_state_ != execution_t::RUNNING &&
+         (!bystander_ || bystander_->is_done()) &&
+         std::ranges::all_of(arms_,
+                             [](const auto& arm) { return arm->IsAtRest(); });
 }
 
 bool Vtb::IsOver() {
@@ -158,7 +171,9 @@ bool Vtb::IsOver() {
     return false;
   }
   ++num_still_;
-  if (num_still_ < kRestTicks) return false;
+  // Who asks a question may still be answered.
+  const bool is_asking = robot_state_ == execution_t::STUCK;
+  if (num_still_ < (is_asking ? kAskTicks : kRestTicks)) return false;
   if (num_still_ >= kMaxRestTicks) return true;
   for (const Part& part : world_.table().parts()) {
     if (world_.SpeedOf(part.name) > kStill) return false;

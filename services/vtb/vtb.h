@@ -10,6 +10,7 @@
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 #include "services/vtb/arm_device.h"
+#include "services/vtb/bystander.h"
 #include "services/vtb/deeds.h"
 #include "services/vtb/demonstrator.h"
 #include "services/vtb/script.h"
@@ -72,13 +73,14 @@ class Vtb : public Service {
   const Script* script_ = nullptr;  // of it
   size_t num_begun_ = 0;            // of the episodes that were planned
   std::optional<Demonstrator> demonstrator_;
+  std::optional<Bystander> bystander_;
   std::optional<Deeds> deeds_;  // of the episode
   std::optional<Appointment> next_;
   bool is_running_ = false;
-  int64_t episode_ = 0;         // counts from 1
-  bool is_robot_done_ = false;  // or asks a question
-  int32_t start_tick_ = 0;      // of the episode
-  int32_t num_still_ = 0;       // ticks since all were done
+  int64_t episode_ = 0;  // counts from 1
+  int8_t robot_state_ = execution_t::RUNNING;
+  int32_t start_tick_ = 0;  // of the episode
+  int32_t num_still_ = 0;   // ticks since all were done
 };
 
 /// By deploy/config/vtb.yaml and the task's files; `demonstration` names the

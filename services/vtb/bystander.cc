@@ -1,0 +1,230 @@
+#include "services/vtb/bystander.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "common/sec/seat.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kRetryAfter = 2;     // [s] if nothing can be done now
+constexpr double kFromGripper = 0.3;  // [m] parts nearer to one are left alone
+constexpr double kMinMove = 0.08;     // [m] that a moved part moves at least
+constexpr double kHoldTime = 3;       // [s] a part is kept in the hand
+constexpr uint64_t kOwnChance = 0x5bd1e995;
+
+bool IsAt(const Site& site, const Part& part, const PlacementRule& rule,
+          const World& world) {
+  const Isometry3d X_WS = world.PoseOf(site.host) * site.X_HS;
+  return IsSeated(X_WS.inverse() * world.PoseOf(part.name), part.symmetry_order,
+                  rule.seated);
+}
+
+/// Calls visit(site) for every site of the type.
+template <class Visitor>
+void ForEachSite(const PartTable& table, const std::string& type,
+                 Visitor visit) {
+  for (const Part& host : table.parts()) {
+    for (const Site& site : host.sites) {
+      if (site.type == type) visit(site);
+    }
+  }
+}
+
+/// The part that sits there by the rule, or nullptr.
+const Part* PartAt(const Site& site, const PlacementRule& rule,
+                   const World& world) {
+  for (const Part& part : world.table().parts()) {
+    if (part.type == rule.part_type && IsAt(site, part, rule, world)) {
+      return &part;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Bystander::Bystander(std::shared_ptr<const DemonstratorBook> book,
+                     const std::string& script, uint64_t seed,
+                     const World& world)
+    : book_(std::move(book)),
+      script_(&book_->scripts.at(script)),
+      tabletop_(std::make_shared<Tabletop>(world.table(), world.layout(),
+                                           book_->manner.table_gap)),
+      random_(seed ^ kOwnChance),
+      // The right hand comes last in the layout.
+      hand_(world.layout().hands.back().name, book_->manner, world) {
+  const Script::Bystander& does = *script_->bystander;
+  const int count = std::uniform_int_distribution<int>(
+      does.count.low, does.count.high)(random_);
+  for (int i = 0; i < count; ++i) {
+    times_.push_back(std::uniform_real_distribution<double>(
+        does.earliest, does.latest)(random_));
+  }
+  std::ranges::sort(times_);
+}
+
+void Bystander::AskFor(const std::string& part, const std::string& site) {
+  if (script_->bystander->helps && hand_.is_idle()) wish_ = {part, site};
+}
+
+void Bystander::Update(double dt, World& world) {
+  time_ += dt;
+  if (hand_.is_idle()) Begin(world);
+  hand_.Update(dt, world, *tabletop_, random_);
+}
+
+void Bystander::Begin(World& world) {
+  if (const auto wish = std::exchange(wish_, std::nullopt)) {
+    Place(*wish, world);
+    return;
+  }
+  if (times_.empty() || time_ < times_.front()) return;
+  if (Disturb(world)) {
+    times_.erase(times_.begin());
+  } else {
+    times_.front() = time_ + kRetryAfter;
+  }
+}
+
+bool Bystander::Disturb(const World& world) {
+  using Kind = Script::Bystander::Kind;
+  const Kind kind = script_->bystander->kind;
+  if (kind == Kind::kPlace) return PlaceSomething(world);
+  const std::vector<std::string> parts = LooseParts(world);
+  if (parts.empty()) return false;
+  const std::string& part = parts[std::uniform_int_distribution<size_t>(
+      0, parts.size() - 1)(random_)];
+  const auto X_WO = Somewhere(part, world);
+  if (!X_WO) return false;
+  hand_.Take(part, "");
+  if (kind == Kind::kReturn) {
+    hand_.GoToRest();
+    hand_.Pause(kHoldTime);
+  }
+  hand_.Put(part, {nullptr, "", *X_WO});
+  hand_.GoToRest();
+  return true;
+}
+
+/// Some part where it belongs and can go now. A person sees what an arm is
+/// about to place, and leaves such sites to it.
+bool Bystander::PlaceSomething(const World& world) {
+  std::vector<std::string> taken;
+  for (const ArmLayout& arm : world.layout().arms) {
+    const auto held = world.hands().HeldBy(arm.gripper);
+    if (!held) continue;
+    const auto& fits = world.table().Find(*held)->fits;
+    taken.insert(taken.end(), fits.begin(), fits.end());
+  }
+  if (taken.empty()) return false;
+  std::vector<Wish> wishes;
+  const std::vector<std::string> loose = LooseParts(world);
+  for (const auto& [name, rule] : book_->rules) {
+    if (!IsReady(rule, world) ||
+        std::ranges::find(taken, rule.site_type) != taken.end()) {
+      continue;
+    }
+    ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
+      if (PartAt(site, rule, world) != nullptr) return;
+      for (const std::string& part : loose) {
+        if (world.table().Find(part)->type == rule.part_type) {
+          wishes.push_back({part, site.name});
+        }
+      }
+    });
+  }
+  if (wishes.empty()) return false;
+  return Place(wishes[std::uniform_int_distribution<size_t>(
+                   0, wishes.size() - 1)(random_)],
+               world);
+}
+
+bool Bystander::Place(const Wish& wish, const World& world) {
+  const Part* part = world.table().Find(wish.part);
+  const Site* site = world.table().FindSite(wish.site);
+  if (part == nullptr || site == nullptr) return false;
+  for (const auto& [name, rule] : book_->rules) {
+    if (rule.part_type != part->type || rule.site_type != site->type) continue;
+    hand_.Take(wish.part, "");
+    hand_.Put(wish.part, {&rule, wish.site});
+    hand_.GoToRest();
+    return true;
+  }
+  return false;
+}
+
+/// Parts that lie about, and that no arm is at.
+std::vector<std::string> Bystander::LooseParts(const World& world) const {
+  std::vector<std::string> loose;
+  for (size_t i = 0; i < world.table().parts().size(); ++i) {
+    const Part& part = world.table().parts()[i];
+    if (part.is_fixed || world.hands().IsHeld(static_cast<int>(i))) continue;
+    const Isometry3d X_WO = world.PoseOf(part.name);
+    const bool is_at_gripper =
+        std::ranges::any_of(world.layout().arms, [&](const ArmLayout& arm) {
+          const auto& X_WG = world.hands().StateOf(arm.gripper).X_WG;
+          return (X_WG.translation() - X_WO.translation()).norm() <
+                 kFromGripper;
+        });
+    bool is_seated = false;
+    for (const auto& [name, rule] : book_->rules) {
+      if (rule.part_type != part.type) continue;
+      ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
+        is_seated |= IsAt(site, part, rule, world);
+      });
+    }
+    if (!is_at_gripper && !is_seated) loose.push_back(part.name);
+  }
+  return loose;
+}
+
+/// The one of the script's places with the most room, or anywhere on the table.
+std::optional<Isometry3d> Bystander::Somewhere(const std::string& part,
+                                               const World& world) {
+  const auto& places = script_->bystander->places;
+  if (places.empty()) {
+    std::vector<Tabletop::Placed> scene;
+    for (const Part& other : world.table().parts()) {
+      scene.push_back({other.name, world.PoseOf(other.name)});
+    }
+    return tabletop_->FreePlace(part, scene, kMinMove, random_);
+  }
+  Isometry3d X_WO = Isometry3d::Identity();
+  X_WO.linear() =
+      Eigen::AngleAxisd(std::uniform_real_distribution<double>(
+                            -std::numbers::pi, std::numbers::pi)(random_),
+                        Vector3d::UnitZ())
+          .toRotationMatrix();
+  const auto room = [&](const Eigen::Vector2d& place) {
+    double least = 1;
+    for (const Part& other : world.table().parts()) {
+      if (other.name == part) continue;
+      const Vector3d p = world.PoseOf(other.name).translation();
+      least = std::min(least, (p.head<2>() - place).norm());
+    }
+    return least;
+  };
+  X_WO.translation() << *std::ranges::max_element(places, {}, room), 0;
+  X_WO.translation().z() = -tabletop_->ExtentOf(part).Lowest(X_WO);
+  return X_WO;
+}
+
+/// All that must come before is in place.
+bool Bystander::IsReady(const PlacementRule& rule, const World& world) const {
+  return std::ranges::all_of(rule.after, [&](const std::string& before) {
+    const PlacementRule& earlier = book_->rules.at(before);
+    bool is_done = true;
+    ForEachSite(world.table(), earlier.site_type, [&](const Site& site) {
+      is_done &= PartAt(site, earlier, world) != nullptr;
+    });
+    return is_done;
+  });
+}
+
+}  // namespace cell

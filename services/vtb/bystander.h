@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "services/vtb/hand_actor.h"
+#include "services/vtb/script.h"
+#include "services/vtb/tabletop.h"
+#include "services/vtb/world.h"
+
+namespace cell {
+
+/// A person beside the cell while it does a task by itself: moves, takes,
+/// places parts at times of chance, or does what the cell asks for. One hand,
+/// which keeps away from what the arms are at. A value.
+class Bystander {
+ public:
+  /// @pre the script has one. The parts lie in `world`.
+  Bystander(std::shared_ptr<const DemonstratorBook> book,
+            const std::string& script, uint64_t seed, const World& world);
+
+  /// One tick: moves the hand of `world` for the coming `dt` [s].
+  void Update(double dt, World& world);
+  /// The cell asks for this placement. It is done once, unless it fails.
+  void AskFor(const std::string& part, const std::string& site);
+
+  bool is_idle() const { return hand_.is_idle(); }
+  /// Nothing that was planned is still to come.
+  bool is_done() const { return is_idle() && times_.empty(); }
+
+ private:
+  struct Wish {
+    std::string part, site;
+  };
+
+  void Begin(World& world);
+  bool Disturb(const World& world);
+  bool PlaceSomething(const World& world);
+  bool Place(const Wish& wish, const World& world);
+  std::vector<std::string> LooseParts(const World& world) const;
+  std::optional<Eigen::Isometry3d> Somewhere(const std::string& part,
+                                             const World& world);
+  bool IsReady(const PlacementRule& rule, const World& world) const;
+
+  std::shared_ptr<const DemonstratorBook> book_;
+  const Script* script_;
+  std::shared_ptr<const Tabletop> tabletop_;
+  std::mt19937_64 random_;
+  HandActor hand_;
+  std::vector<double> times_;  // [s] when it disturbs, ascending
+  double time_ = 0;
+  std::optional<Wish> wish_;
+};
+
+}  // namespace cell
