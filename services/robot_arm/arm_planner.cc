@@ -20,6 +20,7 @@ constexpr double kFromHands = 0.25;    // [m] that people's hands are given
 constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
 constexpr double kGrid = 0.03;         // [m] of the free places that are tried
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
+constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
@@ -70,13 +71,25 @@ OrReason<Place> ArmPlanner::PlanPlace(const PlaceGoal& goal,
   return std::get<std::vector<Place>>(places).front();
 }
 
+/// [m] of the gripper beyond where ways stay.
+double ArmPlanner::OverBorder(const Joints& q) const {
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kInside);
+  const Eigen::AlignedBox3d inside(arm_.workspace.min() + margin,
+                                   arm_.workspace.max() - margin);
+  return inside.exteriorDistance(
+      (arm_.X_WB * ur5::FlangePose(q) * arm_.X_FG).translation());
+}
+
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
   const SkillSettings::Motion& motion = params_.settings.motion;
   ArmScene::Question question{.clearance = motion.clearance, .held = Held()};
   std::string reason;
+  // It may begin and end nearer to the border, but goes no further out.
+  const double border = std::max(OverBorder(from), OverBorder(to));
   const auto is_free = [&](const Joints& q) {
+    if (OverBorder(q) > border) return false;
     const auto hit = scene_.WhyNot({q, grip, opening}, question);
     if (hit && reason.empty()) reason = *hit;
     return !hit;

@@ -80,6 +80,7 @@ class ArmPlanner {
 
  private:
   std::optional<ArmScene::Held> Held() const;
+  double OverBorder(const Joints& q) const;
 
   Params params_;
   const ArmLayout& arm_;

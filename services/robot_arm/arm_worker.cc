@@ -374,7 +374,9 @@ OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
   if (host == poses_.end()) return "nobody knows where " + site.host + " is";
   PlaceGoal goal;
   const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
-  goal.X_WO = host->second * site.X_HS * Translation3d(aim.x(), aim.y(), 0);
+  goal.X_WO = host->second * site.X_HS *
+              params_.settings.aim_error.Of(request_->id) *
+              Translation3d(aim.x(), aim.y(), 0);
   goal.way_out = goal.X_WO.linear().col(2);
   goal.approach = site.approach;
   goal.symmetry_order = params_.parts.Find(request_->part)->symmetry_order;

@@ -63,6 +63,7 @@ class Insertion {
   void Comply(const ContactWrench& contact, double dt);
   void Watch(const ContactWrench& contact, double height, double dt);
   void Search(double height, double dt);
+  void Dither(double dt);
 
   Params params_;
   State state_ = State::kRunning;
@@ -80,6 +81,7 @@ class Insertion {
   double spiral_height_ = 0;  // where it began
   int num_spirals_ = 0;
   double stall_time_ = 0, stall_height_ = 0;
+  double dither_ = 0;  // 0: none, to 1: all of it
   double peak_force_ = 0;
 };
 
