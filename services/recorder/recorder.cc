@@ -15,6 +15,8 @@ Recorder::Recorder(Bus& bus, const std::filesystem::path& run_dir)
       [this](const std::string& channel, std::span<const uint8_t> bytes) {
         OnMessage(channel, bytes);
       });
+  // Some channels come after the TICK.
+  bus_.Every(1, 0, [this] { store_.Append(order_.TakeBefore(until_)); });
 }
 
 void Recorder::OnMessage(const std::string& channel,
@@ -46,7 +48,7 @@ void Recorder::OnTick(const Message& message) {
   }
   order_.Put(message);
   // The clock's messages of the last tick have come; others' do not count.
-  store_.Append(order_.TakeBefore(tick.is_last ? k + 1 : k));
+  until_ = tick.is_last ? k + 1 : k;
 }
 
 void Recorder::ReportGap(int32_t from, int32_t to) {

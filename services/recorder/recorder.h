@@ -26,6 +26,7 @@ class Recorder : public Service {
   CanonicalOrder order_;
   LogStore store_;
   bool is_first_tick_ = true;
+  int32_t until_ = 0;  // before this tick all messages have come
 };
 
 std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment);
