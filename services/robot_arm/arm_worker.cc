@@ -16,7 +16,7 @@ constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kTableGap = 0.0005;  // [m] above the table, before letting go
 
-constexpr double kStill = 1e-3;         // [rad/s]
+constexpr double kStill = 1e-3;    // [rad/s]
 constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 
 constexpr char kHolds[] = "the cell holds";
@@ -102,7 +102,8 @@ std::optional<std::string> ArmWorker::WhyNot(
 
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
-  if (!command_) command_ = ArmCommand{reading.q, reading.opening, reading.stance};
+  if (!command_)
+    command_ = ArmCommand{reading.q, reading.opening, reading.stance};
   still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
@@ -394,8 +395,8 @@ void ArmWorker::KnowHeld() {
     return;
   }
   if (held_ || request_ || still_ < kLookTime) return;
-  const auto part = planner_.FindGrasped(
-      {reading_.q, reading_.stance, reading_.opening});
+  const auto part =
+      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
   if (!part) return;
   pick_.grip = reading_.stance;
   pick_.width = reading_.opening;

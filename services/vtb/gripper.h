@@ -51,7 +51,7 @@ class Gripper {
   std::vector<std::vector<Eigen::Vector3d>> surfaces_;  // of each box, in B
   double opening_ = 0;
   double goal_ = 0;
-  double grip_opening_ = 0;  // when it gripped
+  double grip_opening_ = 0;    // when it gripped
   std::string grip_, stance_;  // that they shall have, and have
 };
 

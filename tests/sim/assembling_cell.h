@@ -22,9 +22,8 @@ namespace cell {
 class AssemblingCell {
  public:
   /// `guests`: services of the test itself, at the end of the roster.
-  explicit AssemblingCell(uint64_t seed,
-                          const std::map<std::string, ServiceFactory>& guests =
-                              {}) {
+  explicit AssemblingCell(
+      uint64_t seed, const std::map<std::string, ServiceFactory>& guests = {}) {
     const Deployment deployment = ShippedDeployment();
     Roster roster = Roster::FromConfig(deployment.ForService("roster"));
     std::erase_if(roster.entries, [](const Roster::Entry& entry) {
@@ -61,8 +60,10 @@ class AssemblingCell {
     tick_handlers_.push_back(std::move(handler));
   }
 
+  /// To the end of the episode, or of a test that hangs.
   void Run() {
-    while (bus_->Step()) {
+    constexpr int32_t kMaxTicks = 45'000;
+    while (bus_->last_tick().header.tick < kMaxTicks && bus_->Step()) {
       for (const Message& message : bus_->last_messages()) {
         const auto [begin, end] = handlers_.equal_range(message.channel);
         for (auto it = begin; it != end; ++it) it->second(message);

@@ -36,12 +36,13 @@ void Command(AssemblingCell& cell, int32_t tick, int8_t action) {
 /// Calls `then` when the right arm begins the `num`-th phase of this name.
 void WhenPhase(AssemblingCell& cell, const std::string& phase, int num,
                const std::function<void()>& then) {
-  cell.On<arm_report_t>("ARM_REPORT_RIGHT", [=, last = std::string(),
-                                             left = num](const auto& m) mutable {
-    const bool is_new = last != m.phase;
-    last = m.phase;
-    if (is_new && m.phase == phase && --left == 0) then();
-  });
+  cell.On<arm_report_t>(
+      "ARM_REPORT_RIGHT",
+      [=, last = std::string(), left = num](const auto& m) mutable {
+        const bool is_new = last != m.phase;
+        last = m.phase;
+        if (is_new && m.phase == phase && --left == 0) then();
+      });
 }
 
 TEST(HoldAndResume, AnOperatorsHoldStopsTheArmsAtOnceAndTheSkillGoesOn) {
@@ -50,8 +51,7 @@ TEST(HoldAndResume, AnOperatorsHoldStopsTheArmsAtOnceAndTheSkillGoesOn) {
   const SkillWatch skills(cell);
   std::vector<int32_t> holds;
   std::vector<operating_mode_t> modes;
-  cell.On<operating_mode_t>("MODE",
-                            [&](const auto& m) { modes.push_back(m); });
+  cell.On<operating_mode_t>("MODE", [&](const auto& m) { modes.push_back(m); });
   const auto hold = [&](int32_t delay) {
     const int32_t tick = cell.tick() + delay;
     holds.push_back(tick);
@@ -145,18 +145,18 @@ TEST(HoldAndResume, AProtectiveStopIsToldAndClearedByTheOperatorAlone) {
   std::optional<int32_t> stopped, resumed, cleared;
   int num_stops = 0;
   std::vector<operating_mode_t> held;
-  cell.On<arm_state_t>("ARM_STATE_RIGHT", [&, was = false](
-                                              const arm_state_t& m) mutable {
-    const bool is_stopped = m.servo == arm_state_t::STOPPED;
-    if (is_stopped && !was) {
-      ++num_stops;
-      stopped = m.header.tick;
-      resumed = *stopped + kHoldTicks;
-      Command(cell, *resumed, command_mode_t::RESUME);
-    }
-    if (!is_stopped && was) cleared = m.header.tick;
-    was = is_stopped;
-  });
+  cell.On<arm_state_t>(
+      "ARM_STATE_RIGHT", [&, was = false](const arm_state_t& m) mutable {
+        const bool is_stopped = m.servo == arm_state_t::STOPPED;
+        if (is_stopped && !was) {
+          ++num_stops;
+          stopped = m.header.tick;
+          resumed = *stopped + kHoldTicks;
+          Command(cell, *resumed, command_mode_t::RESUME);
+        }
+        if (!is_stopped && was) cleared = m.header.tick;
+        was = is_stopped;
+      });
   cell.On<operating_mode_t>("MODE", [&](const auto& m) {
     if (m.mode == motion_permit_t::HOLD) held.push_back(m);
   });

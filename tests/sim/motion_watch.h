@@ -46,13 +46,14 @@ class MotionWatch {
   int num_stops() const { return num_stops_; }
 
  private:
-  static constexpr double kSame = 1e-6;    // [rad], [m]
-  static constexpr double kStill = 1e-3;   // [rad/s]
-  static constexpr double kThere = 1e-4;   // [rad]
+  static constexpr double kSame = 1e-6;   // [rad], [m]
+  static constexpr double kStill = 1e-3;  // [rad/s]
+  static constexpr double kThere = 1e-4;  // [rad]
   struct Arm {
     std::optional<arm_setpoint_t> setpoint;
     int32_t moved_tick = -1;  // of the last set-point that was another one
     bool was_moving = false;
+    bool is_stopped = false;  // protectively
   };
 
   void OnSetpoint(const std::string& name, const arm_setpoint_t& setpoint) {
@@ -61,7 +62,8 @@ class MotionWatch {
     // A new life begins where it finds the arm.
     const bool is_next =
         arm.setpoint && arm.setpoint->header.sender == setpoint.header.sender;
-    if (is_next && !IsSame(*arm.setpoint, setpoint)) {
+    // After a protective stop they follow the servo, which follows nothing.
+    if (is_next && !arm.is_stopped && !IsSame(*arm.setpoint, setpoint)) {
       arm.moved_tick = tick;
       const int32_t without = tick - permit_tick_;
       max_freeze_ticks_ = std::max(max_freeze_ticks_, without);
@@ -74,6 +76,7 @@ class MotionWatch {
   void OnState(const std::string& name, const arm_state_t& state) {
     Arm& arm = arms_[name];
     const int32_t tick = state.header.tick;
+    arm.is_stopped = state.servo == arm_state_t::STOPPED;
     double speed = 0, distance = 0;
     for (int i = 0; i < 6; ++i) {
       speed = std::max(speed, std::abs(state.velocity[i]));
@@ -90,12 +93,12 @@ class MotionWatch {
       max_rest_ticks_ = std::max(max_rest_ticks_, silent);
     }
     if (silent > kFreezeTicks + kRestTicks) {
-      EXPECT_FALSE(is_moving) << name << " at tick " << tick << " moves at "
-                              << speed << " rad/s, " << silent
-                              << " ticks after the last permit or command";
+      EXPECT_FALSE(is_moving)
+          << name << " at tick " << tick << " moves at " << speed << " rad/s, "
+          << silent << " ticks after the last permit or command";
       if (arm.setpoint && state.servo != arm_state_t::STOPPED) {
-        EXPECT_LT(distance, kThere) << name << " at tick " << tick
-                                    << " is not where it was last sent";
+        EXPECT_LT(distance, kThere)
+            << name << " at tick " << tick << " is not where it was last sent";
       }
       if (arm.was_moving) ++num_stops_;
       arm.was_moving = false;

@@ -104,9 +104,9 @@ class SkillWatch {
     EXPECT_TRUE(begun_.insert(running).second)
         << "request " << running << " is executed twice";
     // The service acts on the permit of the tick before its report.
-    const auto& permit =
-        permit_ && permit_->header.tick < report.header.tick ? permit_
-                                                             : before_;
+    const auto& permit = permit_ && permit_->header.tick < report.header.tick
+                             ? permit_
+                             : before_;
     ASSERT_TRUE(permit.has_value());
     EXPECT_EQ(permit->hold, motion_permit_t::NONE)
         << "request " << running << " is begun while the cell holds";
