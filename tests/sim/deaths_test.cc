@@ -30,8 +30,7 @@ const Moment kPick{"reach", 25}, kCarry{"carry", 60}, kInsert{"seat", 90};
 struct Death {
   std::string arm;  // whose skill it interrupts
   Moment moment;
-  int32_t duration;           // [ticks]
-  bool is_same_part = false;  // may hit the part that the one before has hit
+  int32_t duration;  // [ticks]
 };
 
 /// Lets a service die again and again, each time with another part.
@@ -81,7 +80,7 @@ class Reaper {
     if (planned_.empty()) return;
     const Death next = planned_.front();
     if (next.arm != report.arm || next.moment.phase != phase) return;
-    if (!next.is_same_part && tried_.contains(part)) return;
+    if (tried_.contains(part)) return;
     const int32_t death = tick + next.moment.delay;
     outages_.push_back({service_, death, death + next.duration});
     cell_.bus().Schedule(outages_.back());
@@ -159,13 +158,6 @@ TEST(Deaths, OfAnArmInOtherPhasesAreGotOver) {
                     {"right", {"let go", 12}, kMiddle},
                     {"right", {"go to pendulum", 60}, kLong},
                     {"right", {"seat", 150}, kShort}});
-}
-
-// With this seed the left arm passes a part on.
-TEST(Deaths, OfTheArmThatPassesPartsOnAreGotOver) {
-  ExpectToComplete(
-      4, "robot_arm@left",
-      {{"left", kPick, kMiddle}, {"left", {"set down", 30}, kLong, true}});
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryService, DeathsOf,
