@@ -60,8 +60,10 @@ class AssemblingCell {
     tick_handlers_.push_back(std::move(handler));
   }
 
+  /// To the end of the episode, or of a test that hangs.
   void Run() {
-    while (bus_->Step()) {
+    constexpr int32_t kMaxTicks = 45'000;
+    while (bus_->last_tick().header.tick < kMaxTicks && bus_->Step()) {
       for (const Message& message : bus_->last_messages()) {
         const auto [begin, end] = handlers_.equal_range(message.channel);
         for (auto it = begin; it != end; ++it) it->second(message);

@@ -53,6 +53,7 @@ class MotionWatch {
     std::optional<arm_setpoint_t> setpoint;
     int32_t moved_tick = -1;  // of the last set-point that was another one
     bool was_moving = false;
+    bool is_stopped = false;  // protectively
   };
 
   void OnSetpoint(const std::string& name, const arm_setpoint_t& setpoint) {
@@ -61,7 +62,8 @@ class MotionWatch {
     // A new life begins where it finds the arm.
     const bool is_next =
         arm.setpoint && arm.setpoint->header.sender == setpoint.header.sender;
-    if (is_next && !IsSame(*arm.setpoint, setpoint)) {
+    // After a protective stop they follow the servo, which follows nothing.
+    if (is_next && !arm.is_stopped && !IsSame(*arm.setpoint, setpoint)) {
       arm.moved_tick = tick;
       const int32_t without = tick - permit_tick_;
       max_freeze_ticks_ = std::max(max_freeze_ticks_, without);
@@ -74,6 +76,7 @@ class MotionWatch {
   void OnState(const std::string& name, const arm_state_t& state) {
     Arm& arm = arms_[name];
     const int32_t tick = state.header.tick;
+    arm.is_stopped = state.servo == arm_state_t::STOPPED;
     double speed = 0, distance = 0;
     for (int i = 0; i < 6; ++i) {
       speed = std::max(speed, std::abs(state.velocity[i]));
