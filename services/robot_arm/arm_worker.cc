@@ -298,8 +298,7 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
   Add(
       "lift",
       [this] {
-        return Line(Translation3d(0, 0, params_.settings.motion.raise) *
-                    kinematics_.GripperPose(command_->q));
+        return LineBy(params_.settings.motion.raise * Vector3d::UnitZ());
       },
       [this] { is_near_ = false; });
 }
@@ -337,8 +336,8 @@ void ArmWorker::PlanDrawBack() {
   Add(
       "draw back",
       [this] {
-        return Line(kinematics_.GripperPose(command_->q) *
-                    Translation3d(0, 0, params_.settings.motion.approach));
+        return LineBy(params_.settings.motion.approach *
+                      kinematics_.GripperPose(command_->q).linear().col(2));
       },
       [this] { is_near_ = false; });
 }
@@ -356,6 +355,21 @@ ArmWorker::Todo::Made ArmWorker::Transit(const Joints& q) {
   if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
   return std::make_unique<FollowTrajectory>(
       std::get<JointTrajectory>(std::move(planned)));
+}
+
+/// As far that way [m, in W] as the arm can go.
+ArmWorker::Todo::Made ArmWorker::LineBy(const Vector3d& way_W) {
+  constexpr int kNumSteps = 20;
+  Isometry3d X_WG = kinematics_.GripperPose(command_->q);
+  Joints q = command_->q;
+  for (int i = 0; i < kNumSteps; ++i) {
+    const Isometry3d next = Translation3d(way_W / kNumSteps) * X_WG;
+    const auto solution = kinematics_.JointsNear(next, q);
+    if (!solution) break;
+    q = *solution;
+    X_WG = next;
+  }
+  return Line(X_WG);
 }
 
 ArmWorker::Todo::Made ArmWorker::Line(const Isometry3d& X_WG) {

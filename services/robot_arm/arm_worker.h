@@ -94,6 +94,7 @@ class ArmWorker {
 
   Todo::Made Transit(const Joints& q);
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
+  Todo::Made LineBy(const Eigen::Vector3d& way_W);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceGoal> GoalAtSite() const;
   SeatingFrames FramesAtSite() const;
