@@ -111,7 +111,7 @@ bool RobotArm::OnWrench(const wrench_t& message) {
   std::copy_n(message.torque, 3, wrench.torque.data());
   if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return false;
   wrench_ = wrench;
-  wrench_utime_ = message.header.utime;
+  wrench_utime_ = bus_.now();  // what the message says need not be true
   return true;
 }
 
