@@ -73,7 +73,7 @@ TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   // While the right arm reaches for its first part, carries it and seats it.
   const std::vector<std::string> kills = {
       "tracker@320",  "supervisor@350",  "planner@365",  "robot_arm@right@380",
-      "tracker@900",  "supervisor@930",  "planner@945",  "robot_arm@right@980",
+      "tracker@1070", "supervisor@1100", "planner@1115", "robot_arm@right@1150",
       "tracker@1850", "supervisor@1900", "planner@1915", "robot_arm@right@1950",
   };
   std::string arguments = "demo --out a";
