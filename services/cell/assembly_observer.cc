@@ -8,11 +8,6 @@
 #include "services/cell/episode_observer.h"
 
 namespace cell {
-namespace {
-
-constexpr int64_t kApartUs = 200'000;  // of the two looks that a score takes
-
-}  // namespace
 
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
@@ -46,11 +41,7 @@ void AssemblyObserver::OnResult(const Message& message) {
 
 void AssemblyObserver::OnPoses(truth_poses_t poses) {
   record_.last_utime = poses.header.utime;
-  looks_.push_back(std::move(poses));
-  const int64_t now = looks_.back().header.utime;
-  while (looks_.size() > 1 && looks_[1].header.utime <= now - kApartUs) {
-    looks_.pop_front();
-  }
+  looks_.Put(std::move(poses));
   if (std::exchange(is_to_compare_, false)) CompareWithEarlier();
 }
 
@@ -63,11 +54,8 @@ void AssemblyObserver::CompareWithEarlier() {
 }
 
 std::optional<AssemblyScore> AssemblyObserver::Score() const {
-  if (looks_.empty() ||
-      looks_.back().header.utime - looks_.front().header.utime < kApartUs) {
-    return std::nullopt;
-  }
-  return ScoreAssembly(looks_.front(), looks_.back(), parts_, book_);
+  if (!looks_.has_both()) return std::nullopt;
+  return ScoreAssembly(looks_.earlier(), looks_.last(), parts_, book_);
 }
 
 }  // namespace cell

@@ -1,17 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "cell/execution_t.hpp"
-#include "cell/truth_poses_t.hpp"
 #include "common/bus/message.h"
 #include "common/parts/part_table.h"
 #include "services/cell/assembly_score.h"
+#include "services/cell/pose_looks.h"
 #include "services/vtb/script.h"
 
 namespace cell {
@@ -50,7 +49,7 @@ class AssemblyObserver {
   const DemonstratorBook& book_;
   Record record_;
   std::set<int64_t> inserts_;        // ids of requests
-  std::deque<truth_poses_t> looks_;  // the last ones
+  PoseLooks looks_;
   bool is_to_compare_ = false;       // with the next look
   std::set<std::string> seated_;     // sites, as of the last comparison
 };

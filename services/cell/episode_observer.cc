@@ -39,7 +39,9 @@ void EpisodeObserver::Put(const Message& message) {
       record.key_frame_utimes[frame->index] = frame->header.utime;
     }
   } else if (message.channel == "TRUTH_POSES") {
-    PutPoses(message);
+    // What lies about between two episodes belongs to none.
+    auto poses = Decode<truth_poses_t>(message);
+    if (poses && !record.has_ended) record.looks.Put(*std::move(poses));
   } else if (message.channel == "EPISODE") {
     const auto episode = Decode<episode_t>(message);
     if (!episode) return;
@@ -51,21 +53,6 @@ void EpisodeObserver::Put(const Message& message) {
     }
     records_.back().has_ended = episode->phase == episode_t::END;
   }
-}
-
-void EpisodeObserver::PutPoses(const Message& message) {
-  auto poses = Decode<truth_poses_t>(message);
-  EpisodeRecord& record = records_.back();
-  // What lies about between two episodes belongs to none.
-  if (!poses || record.has_ended) return;
-  constexpr int64_t kApartUs = 200'000;
-  if (record.last_poses &&
-      (!record.earlier_poses ||
-       poses->header.utime - record.earlier_poses->header.utime >
-           2 * kApartUs)) {
-    record.earlier_poses = record.last_poses;
-  }
-  record.last_poses = std::move(*poses);
 }
 
 }  // namespace cell

@@ -16,8 +16,8 @@
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
-#include "cell/truth_poses_t.hpp"
 #include "common/bus/message.h"
+#include "services/cell/pose_looks.h"
 
 namespace cell {
 
@@ -32,8 +32,8 @@ struct EpisodeRecord {
   std::map<int64_t, int64_t> key_frame_utimes;  ///< by index
   std::vector<skill_request_t> requests;
   std::vector<skill_result_t> results;
-  std::optional<execution_t> execution;                    ///< the last
-  std::optional<truth_poses_t> last_poses, earlier_poses;  ///< >= 0.1 s apart
+  std::optional<execution_t> execution;  ///< the last
+  PoseLooks looks;
   int64_t last_utime = 0;
   bool has_ended = false;  ///< EPISODE END was heard
 };
@@ -48,8 +48,6 @@ class EpisodeObserver {
   const std::vector<EpisodeRecord>& records() const { return records_; }
 
  private:
-  void PutPoses(const Message& message);
-
   std::vector<EpisodeRecord> records_{1};
   bool has_begun_ = false;
 };

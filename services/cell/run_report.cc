@@ -42,9 +42,9 @@ std::string WhyNot(const EpisodeRecord& record) {
 
 std::string TellExecuted(const EpisodeRecord& record, const PartTable& parts,
                          const DemonstratorBook& book) {
-  if (!record.earlier_poses || !record.last_poses) return "nothing was done";
+  if (!record.looks.has_both()) return "nothing was done";
   const AssemblyScore score =
-      ScoreAssembly(*record.earlier_poses, *record.last_poses, parts, book);
+      ScoreAssembly(record.looks.earlier(), record.looks.last(), parts, book);
   // Sites with a thread, and others: seated, all.
   int num[2][2] = {};
   for (const bool is_seated : {true, false}) {
@@ -90,14 +90,14 @@ void RunReport::Follow() {
 
 std::string RunReport::DrawPicture(const EpisodeRecord& record,
                                    const std::string& name) const {
-  if (!record.last_poses) return "none: the log has no poses";
+  if (record.looks.is_empty()) return "none: the log has no poses";
   const auto path = run_.path / name;
   const auto num_pixels =
-      DrawScene(run_.deployment, *record.last_poses, {}, path);
+      DrawScene(run_.deployment, record.looks.last(), {}, path);
   // Hands and arms are named with a dot, "<hand>.<box>".
   std::string least;
   int least_pixels = 0;
-  for (const body_pose_t& body : record.last_poses->bodies) {
+  for (const body_pose_t& body : record.looks.last().bodies) {
     if (body.name.find('.') != std::string::npos) continue;
     const auto it = num_pixels.find(body.name);
     const int num = it == num_pixels.end() ? 0 : it->second;
