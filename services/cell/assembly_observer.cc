@@ -5,6 +5,7 @@
 
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
+#include "cell/truth_action_t.hpp"
 #include "services/cell/episode_observer.h"
 
 namespace cell {
@@ -20,6 +21,10 @@ void AssemblyObserver::Put(const Message& message) {
   } else if (message.channel == "EXECUTION") {
     if (auto execution = Decode<execution_t>(message)) {
       record_.execution = *std::move(execution);
+    }
+  } else if (message.channel == "TRUTH_ACTIONS") {
+    if (const auto action = Decode<truth_action_t>(message)) {
+      record_.touched.insert(action->part);
     }
   } else if (message.channel == "TRUTH_POSES") {
     if (auto poses = Decode<truth_poses_t>(message)) {

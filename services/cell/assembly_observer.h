@@ -27,6 +27,7 @@ class AssemblyObserver {
     /// Sites whose part was seated, and was not any more after a later step;
     /// each time that it was seen.
     std::vector<std::string> broken;
+    std::set<std::string> touched;  ///< parts that a person put somewhere
     int64_t last_utime = 0;
   };
 
@@ -48,10 +49,10 @@ class AssemblyObserver {
   const PartTable& parts_;
   const DemonstratorBook& book_;
   Record record_;
-  std::set<int64_t> inserts_;        // ids of requests
+  std::set<int64_t> inserts_;  // ids of requests
   PoseLooks looks_;
-  bool is_to_compare_ = false;       // with the next look
-  std::set<std::string> seated_;     // sites, as of the last comparison
+  bool is_to_compare_ = false;    // with the next look
+  std::set<std::string> seated_;  // sites, as of the last comparison
 };
 
 }  // namespace cell

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/bus/roster.h"
+#include "common/config/deployment.h"
+
+namespace cell {
+
+/// A row of an evaluation: one assembly by the cell in one process, scored by
+/// the ground truth at its end, its motions checked on the way. `script`: of
+/// the task's demonstrators.yaml.
+nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
+                           const Deployment& deployment, const Roster& roster);
+
+/// No collision in the row, or no breach of limits.
+bool HasNoViolation(const nlohmann::json& row, bool is_collision);
+
+}  // namespace cell
