@@ -43,7 +43,9 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message) {
 
 bool IsSame(const arm_report_t& a, const arm_report_t& b) {
   return a.request == b.request && a.phase == b.phase && a.held == b.held &&
-         a.is_frozen == b.is_frozen && a.reachable == b.reachable;
+         a.is_frozen == b.is_frozen &&
+         a.is_held_by_operator == b.is_held_by_operator &&
+         a.reachable == b.reachable;
 }
 
 }  // namespace
@@ -218,6 +220,7 @@ void RobotArm::PublishReport() {
   report.request = worker_->request();
   report.phase = worker_->phase();
   report.is_frozen = worker_->is_frozen();
+  report.is_held_by_operator = permit_ && permit_->is_held_by_operator;
   report.held = worker_->held();
   report.reachable = worker_->Reachable();
   report.num_reachable = static_cast<int32_t>(report.reachable.size());

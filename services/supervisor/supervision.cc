@@ -67,6 +67,7 @@ Operation Supervision::operation() const {
   if (agent_) {
     operation.mode = *agent_ == Agent::kRobot ? Mode::kExecute : Mode::kMonitor;
   }
+  operation.is_operators = operators_.contains("");
   for (const auto* causes : {&operators_, &silent_}) {
     for (const auto& [name, cause] : *causes) {
       operation.mode = Mode::kHold;

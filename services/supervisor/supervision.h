@@ -21,7 +21,8 @@ enum class Mode {
 struct Operation {
   Mode mode = Mode::kIdle;
   Hold hold = Hold::kNone;
-  std::string reason;  ///< of a hold, in plain words
+  std::string reason;         ///< of a hold, in plain words
+  bool is_operators = false;  ///< a hold that the operator has asked for
   bool operator==(const Operation&) const = default;
 };
 

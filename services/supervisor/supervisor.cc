@@ -104,6 +104,9 @@ bool Supervisor::OnStatus(const status_t& message) {
 bool Supervisor::OnReport(const std::string& arm, const arm_report_t& message) {
   if (message.arm != arm) return false;
   Watch().Hear(kArmService + arm, bus_.now());
+  // Its first report tells what a supervisor before this one was told.
+  const bool is_first = reporting_.insert(arm).second;
+  if (is_first && message.is_held_by_operator) Watch().HoldByOperator();
   return true;
 }
 
@@ -140,14 +143,18 @@ bool Supervisor::OnResult(const skill_result_t& message) {
   return true;
 }
 
-/// No permit before every arm's servo was seen: one that has stopped while
-/// nobody looked must not take the first permit for the operator's leave.
+/// No permit before every arm was seen: one that has stopped while nobody
+/// looked, or that knows of an operator's hold, must not take the first permit
+/// for the operator's leave.
 void Supervisor::OnTick() {
   for (const Notice& notice : Watch().Update(bus_.now())) Publish(notice);
   const Operation operation = Watch().operation();
   if (operation.mode == Mode::kHold) held_utime_ = bus_.now();
-  if (servos_.size() == params_.arms.size()) PublishPermit(operation);
-  if (told_ != operation) PublishMode(operation);
+  const size_t num_arms = params_.arms.size();
+  if (servos_.size() == num_arms && reporting_.size() == num_arms) {
+    PublishPermit(operation);
+    if (told_ != operation) PublishMode(operation);
+  }
 }
 
 void Supervisor::PublishPermit(const Operation& operation) {
@@ -157,6 +164,7 @@ void Supervisor::PublishPermit(const Operation& operation) {
   permit.until_utime = bus_.now() + (is_over ? 0 : params_.permit_us);
   permit.mode = static_cast<int8_t>(operation.mode);
   permit.hold = static_cast<int8_t>(operation.hold);
+  permit.is_held_by_operator = operation.is_operators;
   bus_.Publish("MOTION_PERMIT", permit);
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ class Supervisor final : public Service {
   Params params_;
   std::optional<Supervision> supervision_;  // from the first tick on
   std::map<std::string, int8_t> servos_;    // last seen, by arm
+  std::set<std::string> reporting_;         // arms
   std::optional<int64_t> held_utime_;       // last time of a hold
   std::optional<Operation> told_;
 };

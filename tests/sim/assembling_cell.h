@@ -61,9 +61,8 @@ class AssemblingCell {
   }
 
   /// To the end of the episode, or of a test that hangs.
-  void Run() {
-    constexpr int32_t kMaxTicks = 45'000;
-    while (bus_->last_tick().header.tick < kMaxTicks && bus_->Step()) {
+  void Run(int32_t max_ticks = 45'000) {
+    while (bus_->last_tick().header.tick < max_ticks && bus_->Step()) {
       for (const Message& message : bus_->last_messages()) {
         const auto [begin, end] = handlers_.equal_range(message.channel);
         for (auto it = begin; it != end; ++it) it->second(message);

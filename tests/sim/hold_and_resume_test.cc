@@ -108,6 +108,35 @@ TEST(HoldAndResume, AnOperatorsHoldStopsTheArmsAtOnceAndTheSkillGoesOn) {
   }
 }
 
+TEST(HoldAndResume, AHoldOutlivesTheSupervisor) {
+  AssemblingCell cell(kSeed);
+  std::optional<int32_t> held;
+  WhenPhase(cell, "carry", 1, [&] {
+    held = cell.tick() + 30;
+    Command(cell, *held, command_mode_t::HOLD);
+    cell.bus().Schedule({"supervisor", *held + 50, *held + 90});
+    Command(cell, *held + kHoldTicks, command_mode_t::RESUME);
+  });
+  std::optional<arm_setpoint_t> last;
+  std::optional<int32_t> moved_early, moved_again;
+  cell.On<arm_setpoint_t>("ARM_SETPOINT_RIGHT", [&](const auto& m) {
+    const bool is_moving =
+        last && !std::equal(m.position, m.position + 6, last->position);
+    last = m;
+    if (!held || !is_moving) return;
+    const int32_t since = m.header.tick - *held;
+    if (since >= MotionWatch::kFreezeTicks && since < kHoldTicks) {
+      moved_early = since;
+    }
+    if (since >= kHoldTicks && !moved_again) moved_again = since;
+  });
+  cell.Run(3000);
+  ASSERT_TRUE(held.has_value());
+  EXPECT_FALSE(moved_early.has_value()) << *moved_early;
+  ASSERT_TRUE(moved_again.has_value());
+  EXPECT_LE(*moved_again, kHoldTicks + 25);
+}
+
 /// Sends an arm deeper than its own service does, for a moment.
 class Saboteur final : public Service {
  public:

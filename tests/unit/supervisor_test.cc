@@ -87,11 +87,8 @@ class Supervised : public testing::Test {
       status.service = name;
       Give("STATUS", status);
     }
-    if (tick_ % 12 == 0 && dead_ != "robot_arm@left") {
-      arm_report_t report{};
-      report.arm = "left";
-      Give("ARM_REPORT_LEFT", report);
-    }
+    const bool is_due = tick_ % 12 == 0 || (has_device_ && tick_ == 1);
+    if (is_due && dead_ != "robot_arm@left") Report();
   }
   template <class M>
   void Decode(const Message& message, M& decoded) {
@@ -116,6 +113,12 @@ class Supervised : public testing::Test {
     arm_state_t state{};
     state.servo = servo;
     Give("ARM_STATE_LEFT", state);
+  }
+  void Report(bool is_held_by_operator = false) {
+    arm_report_t report{};
+    report.arm = "left";
+    report.is_held_by_operator = is_held_by_operator;
+    Give("ARM_REPORT_LEFT", report);
   }
   void Result(int8_t outcome) {
     skill_result_t result{};
@@ -157,10 +160,32 @@ TEST_F(Supervised, ANewLifeLetsNothingMoveBeforeItKnowsWhetherAnArmHasStopped) {
   has_device_ = false;
   Episode(episode_t::RUNNING, "robot");
   Tick(3);
+  Report();
+  Tick();
   EXPECT_THAT(permits_, IsEmpty());
   ArmServo(arm_state_t::STOPPED);
   Tick();
   EXPECT_EQ(permit().hold, motion_permit_t::AT_ONCE);
+  EXPECT_FALSE(permit().is_held_by_operator);
+}
+
+TEST_F(Supervised, ANewLifeKeepsTheOperatorsHold) {
+  has_device_ = false;
+  Episode(episode_t::RUNNING, "robot");
+  ArmServo(arm_state_t::FOLLOWING);
+  Tick(3);
+  EXPECT_THAT(permits_, IsEmpty());
+  EXPECT_THAT(modes_, IsEmpty());
+  Report(true);
+  Tick();
+  EXPECT_EQ(permit().hold, motion_permit_t::AT_ONCE);
+  EXPECT_TRUE(permit().is_held_by_operator);
+  // What the arm says later is only an echo.
+  Command(command_mode_t::RESUME);
+  Report(true);
+  Tick();
+  EXPECT_EQ(permit().mode, motion_permit_t::EXECUTE);
+  EXPECT_FALSE(permit().is_held_by_operator);
 }
 
 TEST_F(Supervised, TheModeFollowsTheEpisode) {
