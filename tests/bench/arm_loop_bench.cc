@@ -1,0 +1,158 @@
+// What a tick costs the service that moves an arm, and how late a loop at the
+// UR5's 125 Hz by the wall clock is with it, idle and under load; beside the
+// same loop with nothing to do. Example: arm_loop_bench
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <atomic>
+#include <iostream>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/bus/sim_bus.h"
+#include "common/bus/stepper.h"
+#include "common/node/run_service.h"
+#include "services/cell/service_registry.h"
+
+namespace cell {
+namespace {
+
+constexpr uint64_t kSeed = 500;
+constexpr char kScript[] = "execution", kArm[] = "robot_arm@right";
+constexpr int32_t kNumTicks = 12'000;  // of the run whose inputs are taken
+constexpr int32_t kFirstLoop = 1'000, kNumLoops = 2'500;  // 20 s
+constexpr int64_t kPeriodNs = kTickUs * 1000;
+
+using Inputs = std::vector<std::vector<Message>>;  // by tick
+
+/// The arm's service alone, fed from a run.
+class Arm {
+ public:
+  explicit Arm(const CellFiles& files)
+      : stepper_(
+            StepperParams(files.roster, files.roster.RequireIndexOf(kArm), 1)),
+        service_(
+            AllServices(files.deployment, kScript, kSeed).at(kArm)(stepper_)) {}
+
+  bool Wants(const Message& message) const {
+    return stepper_.Wants(message.channel);
+  }
+  void Tick(int32_t tick, const std::vector<Message>& inputs) {
+    if (stepper_.Accept(tick, inputs) == Stepper::State::kReady) stepper_.Run();
+  }
+
+ private:
+  Stepper stepper_;
+  std::unique_ptr<Service> service_;
+};
+
+Inputs TakeInputs(const CellFiles& files) {
+  const Arm arm(files);
+  Roster roster = files.roster;
+  std::erase_if(roster.entries,
+                [](const auto& entry) { return entry.name == "recorder"; });
+  SimBus bus(roster, AllServices(files.deployment, kScript, kSeed));
+  Inputs inputs;
+  while (static_cast<int32_t>(inputs.size()) < kNumTicks && bus.Step()) {
+    auto& wanted = inputs.emplace_back();
+    for (const Message& message : bus.last_messages()) {
+      if (arm.Wants(message)) wanted.push_back(message);
+    }
+    std::sort(wanted.begin(), wanted.end(), OrderedBefore);
+  }
+  return inputs;
+}
+
+int64_t NowNs() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * 1'000'000'000 + now.tv_nsec;
+}
+
+void SleepUntil(int64_t ns) {
+  const timespec until{ns / 1'000'000'000, ns % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) !=
+         0) {
+  }
+}
+
+void Print(const std::string& what, std::vector<int64_t> ns) {
+  std::sort(ns.begin(), ns.end());
+  const auto at = [&](double share) {
+    return 1e-3 * static_cast<double>(ns[static_cast<size_t>(
+                      share * static_cast<double>(ns.size() - 1))]);
+  };
+  std::cout << fmt::format(
+      "{:44} median {:7.1f} us, 99 % {:8.1f} us, 99.9 % {:8.1f} us, most "
+      "{:9.1f} us\n",
+      what, at(0.5), at(0.99), at(0.999), at(1));
+}
+
+void TimeSteps(const CellFiles& files, const Inputs& inputs) {
+  Arm arm(files);
+  std::vector<int64_t> steps;
+  for (int32_t tick = 0; tick < static_cast<int32_t>(inputs.size()); ++tick) {
+    const int64_t start = NowNs();
+    arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
+    steps.push_back(NowNs() - start);
+  }
+  Print("tick of " + std::string(kArm) + ", with planning", std::move(steps));
+}
+
+/// How long after its time each set-point is there.
+template <class Work>
+std::vector<int64_t> Loop(Work work) {
+  std::vector<int64_t> late;
+  const int64_t begin = NowNs() + kPeriodNs;
+  for (int32_t i = 0; i < kNumLoops; ++i) {
+    const int64_t due = begin + i * kPeriodNs;
+    SleepUntil(due);
+    work(kFirstLoop + i);
+    late.push_back(NowNs() - due);
+  }
+  return late;
+}
+
+void LoopBoth(const CellFiles& files, const Inputs& inputs,
+              const std::string& how) {
+  Print("loop at 125 Hz with nothing to do, " + how, Loop([](int32_t) {}));
+  Arm arm(files);
+  for (int32_t tick = 0; tick < kFirstLoop; ++tick) {
+    arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
+  }
+  Print("loop at 125 Hz with the arm, " + how, Loop([&](int32_t tick) {
+          arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
+        }));
+}
+
+int Main() {
+  const CellFiles files = FindCellFiles("");
+  const Inputs inputs = TakeInputs(files);
+  TimeSteps(files, inputs);
+  LoopBoth(files, inputs, "idle");
+  std::atomic<uint64_t> sink = 0;
+  std::vector<std::jthread> load;
+  for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i) {
+    load.emplace_back([&sink](const std::stop_token& stop) {
+      while (!stop.stop_requested()) ++sink;
+    });
+  }
+  LoopBoth(files, inputs, "busy");
+  return 0;
+}
+
+}  // namespace
+}  // namespace cell
+
+int main() {
+  try {
+    return cell::Main();
+  } catch (const std::exception& e) {
+    std::cerr << "arm_loop_bench: " << e.what() << std::endl;
+    return 1;
+  }
+}
