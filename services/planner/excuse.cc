@@ -160,8 +160,9 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   }
   const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
   for (const int atom : excuse) {
-    because.text += "; " + Complaint(space, here, atom, steps);
-    because.needed.push_back({atom, Opposite(here.Get(atom))});
+    const std::string why = Complaint(space, here, atom, steps);
+    because.text += "; " + why;
+    because.needed.push_back({atom, Opposite(here.Get(atom)), why});
   }
   return because;
 }

@@ -18,6 +18,7 @@ struct PlanStep {
 struct Wish {
   int atom = 0;
   Truth truth = Truth::kTrue;
+  std::string why = {};  ///< in plain words: which action needs it
   bool operator==(const Wish&) const = default;
 };
 

@@ -1,8 +1,10 @@
 #include "services/planner/question.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace cell {
 namespace {
@@ -39,21 +41,26 @@ std::string AskForReach(const Wish& wish, const State& state,
                      OutOfWhoseReach(atom, state, vocabulary));
 }
 
+/// Names what a person has to see to, and nothing else. What is to be moved
+/// into reach cannot be judged otherwise before it is.
 std::string AskForWishes(const Plan& no_plan, const State& state,
                          const Domain& domain) {
   const Vocabulary& vocabulary = domain.vocabulary();
-  std::string text;
-  bool is_all_reach = !no_plan.needed.empty();
+  std::vector<std::string> sentences;
+  std::set<int> out_of_reach;
   for (const Wish& wish : no_plan.needed) {
-    if (!IsForReach(wish, vocabulary)) {
-      is_all_reach = false;
-      continue;
-    }
-    if (!text.empty()) text += "; ";
-    text += AskForReach(wish, state, vocabulary);
+    if (!IsForReach(wish, vocabulary)) continue;
+    sentences.push_back(AskForReach(wish, state, vocabulary));
+    out_of_reach.insert(vocabulary.Atom(wish.atom).objects[1]);
   }
-  if (is_all_reach) return text;
-  return text + (text.empty() ? "" : "; ") + no_plan.reason;
+  for (const Wish& wish : no_plan.needed) {
+    const std::vector<int> objects = vocabulary.Atom(wish.atom).objects;
+    const bool is_told = std::ranges::any_of(
+        objects, [&](int object) { return out_of_reach.contains(object); });
+    if (!is_told) sentences.push_back(wish.why);
+  }
+  return sentences.empty() ? no_plan.reason
+                           : fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 std::string AskAfterFailures(const GroundAction& action,

@@ -245,6 +245,19 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
   EXPECT_THAT(requests_, SizeIs(1));
 }
 
+TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
+  std::erase(right_.reachable, "separator");
+  --right_.num_reachable;
+  state_ = cranfield_.With(state_, {"Clear(separator)"}, Truth::kFalse);
+  Start("robot", "assembled");
+  Run(200);
+  ASSERT_FALSE(told_.empty());
+  EXPECT_EQ(told_.back().text,
+            "separator is out of reach of both arms: please move it into "
+            "reach");
+  EXPECT_EQ(told_.back().num_needed, 2);
+}
+
 TEST_F(RobotPlanner, TakesAnotherGoalByCommandAndRefusesLateOrUnknownOnes) {
   Start("robot", "assembled");
   Run(100);
