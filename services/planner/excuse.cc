@@ -95,13 +95,18 @@ std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
     if (has_plan({atom})) return {atom};
   }
   if (!has_plan(atoms)) return {};
-  for (size_t i = 0; i < atoms.size();) {
-    std::vector<int> fewer = atoms;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (has_plan(fewer)) {
-      atoms = std::move(fewer);
-    } else {
-      ++i;
+  // What is flipped may need others flipped only because of itself: again until
+  // nothing can be left out.
+  for (size_t num_before = 0; num_before != atoms.size();) {
+    num_before = atoms.size();
+    for (size_t i = 0; i < atoms.size();) {
+      std::vector<int> fewer = atoms;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      if (has_plan(fewer)) {
+        atoms = std::move(fewer);
+      } else {
+        ++i;
+      }
     }
   }
   return atoms;
