@@ -9,7 +9,7 @@
 
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
-#include "tests/system/shell.h"
+#include "tests/system/run_cell.h"
 
 namespace cell {
 namespace {
@@ -17,46 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string kCell = std::string(CELL_BIN_DIR) + "/cell";
-
-class CellCommand : public testing::Test {
- protected:
-  void SetUp() override {
-    dir_ = fs::path(testing::TempDir()) /
-           (std::string("cell-") +
-            testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
-  }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(dir_);
-  }
-  ShellResult Cell(const std::string& arguments) const {
-    return Shell("cd " + dir_.string() + " && " + kCell + " " + arguments);
-  }
-  /// Lines of digests alone; what else was said goes to stderr.
-  ShellResult Hash(const std::string& arguments) const {
-    const std::string log = (dir_ / "stderr").string();
-    ShellResult result = Shell("(cd " + dir_.string() + " && " + kCell + " " +
-                               arguments + " --hash 2>" + log + ")");
-    EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
-    return result;
-  }
-  static std::string TextOf(const fs::path& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  fs::path dir_;
-};
+class CellCommand : public RunCell {};
 
 TEST_F(CellCommand,
        TheSameSeedGivesTheSameBytesOverLcmBusyOrNotAndInOneProcess) {
   // A person shows something, then the arms work.
   const std::string episodes = " --seed 7 --demonstration two_pegs+execution ";
-  const std::string idle = Hash("demo" + episodes + "--out a").output;
+  const std::string idle = Hash("demo" + episodes + "--out a");
   // Two busy loops beside it, which end by themselves.
   const std::string busy =
       Shell("cd " + dir_.string() +
@@ -65,7 +32,7 @@ TEST_F(CellCommand,
             kCell + " demo" + episodes +
             "--hash --out b 2> /dev/null; kill $pids 2> /dev/null")
           .output;
-  const std::string sim = Hash("sim" + episodes + "--out c").output;
+  const std::string sim = Hash("sim" + episodes + "--out c");
   EXPECT_EQ(idle, sim);
   EXPECT_EQ(busy, sim);
   std::set<std::string> channels;
@@ -80,7 +47,7 @@ TEST_F(CellCommand,
   EXPECT_GE(channels.size(), 8u);
   const ShellResult diff = Cell("diff a c");
   EXPECT_EQ(diff.code, 0) << diff.output;
-  EXPECT_NE(Hash("sim --seed 8 --demonstration two_pegs --out d").output, sim);
+  EXPECT_NE(Hash("sim --seed 8 --demonstration two_pegs --out d"), sim);
   const ShellResult other = Cell("diff a d");
   EXPECT_EQ(other.code, 1);
   EXPECT_THAT(other.output, HasSubstr("tick "));
@@ -97,7 +64,7 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
     }
   }
   const std::string lcm =
-      Hash("demo --seed 7 --demonstration assembly --out a" + kills).output;
+      Hash("demo --seed 7 --demonstration assembly --out a" + kills);
   size_t num_deaths = 0;
   const RunLog log = RunLog::Load(dir_ / "a");
   EXPECT_THAT(log.problems(), testing::IsEmpty());
@@ -107,9 +74,8 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
     }
   }
   EXPECT_EQ(num_deaths, 15u);
-  EXPECT_EQ(lcm,
-            Hash("sim --seed 7 --demonstration assembly --out b --deaths-of a")
-                .output);
+  EXPECT_EQ(
+      lcm, Hash("sim --seed 7 --demonstration assembly --out b --deaths-of a"));
   const ShellResult replay = Cell("replay a --check");
   EXPECT_EQ(replay.code, 0) << replay.output;
 }

@@ -9,7 +9,7 @@
 
 #include "cell/arm_report_t.hpp"
 #include "common/bus/run_log.h"
-#include "tests/system/shell.h"
+#include "tests/system/run_cell.h"
 
 namespace cell {
 namespace {
@@ -18,14 +18,10 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// Of the first parts alone, in a deployment whose episodes end early.
-class ExecutionCommand : public testing::Test {
+class ExecutionCommand : public RunCell {
  protected:
   void SetUp() override {
-    dir_ = fs::path(testing::TempDir()) /
-           (std::string("execution-") +
-            testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    RunCell::SetUp();
     fs::copy(fs::path(CELL_SOURCE_DIR) / "deploy", dir_ / "deploy",
              fs::copy_options::recursive);
     const fs::path scripts =
@@ -39,34 +35,14 @@ class ExecutionCommand : public testing::Test {
     text.replace(at, end - at, duration + "44");
     std::ofstream(scripts) << text;
   }
-  void TearDown() override {
-    if (!HasFailure()) fs::remove_all(dir_);
+  std::string HashOfExecution(const std::string& arguments) const {
+    return Hash(arguments +
+                " --deploy deploy --demonstration execution --seed 3");
   }
-  ShellResult Cell(const std::string& arguments) const {
-    return Shell("cd " + dir_.string() + " && " + CELL_BIN_DIR + "/cell " +
-                 arguments);
-  }
-  std::string Hash(const std::string& arguments) const {
-    const std::string log = (dir_ / "stderr").string();
-    const ShellResult result = Shell(
-        "(cd " + dir_.string() + " && " + CELL_BIN_DIR + "/cell " + arguments +
-        " --deploy deploy --demonstration execution --seed 3 --hash 2>" + log +
-        ")");
-    EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
-    return result.output;
-  }
-  static std::string TextOf(const fs::path& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-  fs::path dir_;
 };
 
 TEST_F(ExecutionCommand, TheSameSeedGivesTheSameBytesOverLcmAndInOneProcess) {
-  EXPECT_EQ(Hash("demo --out a"), Hash("sim --out b"));
+  EXPECT_EQ(HashOfExecution("demo --out a"), HashOfExecution("sim --out b"));
 }
 
 TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
@@ -78,7 +54,7 @@ TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   };
   std::string arguments = "demo --out a";
   for (const std::string& kill : kills) arguments += " --kill " + kill;
-  const std::string lcm = Hash(arguments);
+  const std::string lcm = HashOfExecution(arguments);
   const RunLog log = RunLog::Load(dir_ / "a");
   EXPECT_THAT(log.problems(), testing::IsEmpty());
   size_t num_deaths = 0;
@@ -101,7 +77,7 @@ TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   }
   EXPECT_EQ(num_deaths, kills.size());
   EXPECT_THAT(phases, testing::ElementsAre("carry", "reach", "seat"));
-  EXPECT_EQ(lcm, Hash("sim --out b --deaths-of a"));
+  EXPECT_EQ(lcm, HashOfExecution("sim --out b --deaths-of a"));
   const ShellResult replay = Cell("replay a --check");
   EXPECT_EQ(replay.code, 0) << replay.output;
   for (const char* service : {"vtb", "tracker", "planner", "supervisor",

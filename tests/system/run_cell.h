@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/system/shell.h"
+
+namespace cell {
+
+/// Tests of the command line: each has a folder of its own, in which commands
+/// run, and which stays if the test fails.
+class RunCell : public testing::Test {
+ protected:
+  static inline const std::string kCell = std::string(CELL_BIN_DIR) + "/cell";
+
+  void SetUp() override {
+    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
+    dir_ = std::filesystem::path(testing::TempDir()) /
+           (std::string(test.test_suite_name()) + "-" + test.name());
+    std::filesystem::remove_all(dir_);
+    std::filesystem::create_directories(dir_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) std::filesystem::remove_all(dir_);
+  }
+  ShellResult Cell(const std::string& arguments) const {
+    return Shell("cd " + dir_.string() + " && " + kCell + " " + arguments);
+  }
+  /// Lines of digests alone; what else was said goes to stderr.
+  std::string Hash(const std::string& arguments) const {
+    const std::string log = (dir_ / "stderr").string();
+    const ShellResult result =
+        Shell("(cd " + dir_.string() + " && " + kCell + " " + arguments +
+              " --hash 2>" + log + ")");
+    EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
+    return result.output;
+  }
+  static std::string TextOf(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  std::filesystem::path dir_;
+};
+
+}  // namespace cell
