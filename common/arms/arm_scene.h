@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/arms/arm_bodies.h"
+#include "common/layout/cell_layout.h"
+#include "common/parts/part_table.h"
+
+namespace cell {
+
+/// How near bodies may come.
+struct ClearanceRule {
+  double clearance = 0.010;  ///< [m] wanted between the arm and all else
+  /// Pairs that may come as near as they like: "table", "pedestal", a part, a
+  /// body ("gripper_right.finger_1") or the owner of bodies ("gripper_right",
+  /// "arm_left").
+  std::vector<std::pair<std::string, std::string>> allowed;
+};
+
+/// What an arm moves among: the table's top, the pedestal, the parts where
+/// they are, the other arms and what they hold. Cheap to copy: copies share the
+/// shapes. Asking changes nothing.
+class ArmScene {
+ public:
+  /// Fixed parts stand on the pedestal; no other part is there yet; the arms
+  /// are at home with empty hands. @throws std::invalid_argument for a part
+  /// without shape.
+  ArmScene(const PartTable& parts, const CellLayout& layout);
+
+  /// @throws std::invalid_argument for names that are no part's or no arm's,
+  /// in all of these.
+  void PutPart(const std::string& part, const Eigen::Isometry3d& X_WO);
+  void RemovePart(const std::string& part);
+  /// Puts all parts that the map names; the others are gone.
+  void PutParts(const std::map<std::string, Eigen::Isometry3d>& X_WO);
+  void SetPosture(const std::string& arm, const ArmPosture& posture);
+  /// The part goes with the arm's gripper from now on.
+  void Hold(const std::string& arm, const std::string& part,
+            const Eigen::Isometry3d& X_GO);
+  void LetGo(const std::string& arm);
+
+  /// Nothing if the arm may stand so, with what it holds; else why not, e.g.
+  /// "gripper_right.finger_1 would hit NAME". Its own posture in the scene is
+  /// of no account. Of its own bodies it minds those that could hit each other
+  /// (MayCollide), at no more than `kSelfClearance`.
+  std::optional<std::string> WhyBlocked(const std::string& arm,
+                                        const ArmPosture& posture,
+                                        const ClearanceRule& rule = {}) const;
+  /// The names of parts within `distance` [m] of the part at X_WO, and "table".
+  std::vector<std::string> Neighbours(const std::string& part,
+                                      const Eigen::Isometry3d& X_WO,
+                                      double distance) const;
+
+  const ArmPosture& PostureOf(const std::string& arm) const;
+  /// Nothing if it is not there, or held.
+  std::optional<Eigen::Isometry3d> PoseOf(const std::string& part) const;
+  struct Held {
+    std::string part;
+    Eigen::Isometry3d X_GO = Eigen::Isometry3d::Identity();
+  };
+  /// Nothing if its hand is empty.
+  std::optional<Held> HeldBy(const std::string& arm) const;
+  const CellLayout& layout() const;
+  const PartTable& parts() const;
+
+  static constexpr double kSelfClearance = 0.002;  ///< [m]
+
+ private:
+  struct Shapes;  ///< shared by copies
+  struct Posed;   ///< a body where it is
+  struct State;
+
+  std::shared_ptr<const Shapes> shapes_;
+  std::vector<std::optional<Eigen::Isometry3d>> X_WO_;  ///< by part
+  std::vector<ArmPosture> postures_;                    ///< by arm
+  std::vector<std::optional<Held>> held_;               ///< by arm
+};
+
+}  // namespace cell

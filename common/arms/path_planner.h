@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/layout/arm_layout.h"
+
+namespace cell {
+
+/// Why an arm may not stand so; nothing if it may.
+using WhyBlockedAt = std::function<std::optional<std::string>(const Joints&)>;
+
+struct PathPlannerParams {
+  double joint_step = 0.04;   ///< [rad] of the fastest joint between two checks
+  double tree_step = 0.35;    ///< [rad] by which a tree grows
+  int max_iterations = 2000;  ///< of the trees
+  int shortcut_rounds = 60;
+  double joint_margin = 0.05;  ///< [rad] kept from the limits
+  uint64_t seed = 1;
+};
+
+/// A way through joint space, or why there is none.
+struct JointPath {
+  std::vector<Joints> waypoints;  ///< from start to goal; none if there is none
+  size_t goal = 0;                ///< index of the goal it leads to
+  std::string reason;             ///< empty if there is one
+  explicit operator bool() const { return !waypoints.empty(); }
+};
+
+/// Nothing if the straight line from `a` to `b` is free, else what is first in
+/// its way. `a` itself is not looked at.
+std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
+                                          const WhyBlockedAt& why_blocked,
+                                          double joint_step);
+
+/// A free path from `start` to the first of the goals, best first, that has
+/// one: straight; through one of `vias`, e.g. a raised posture; or, to any
+/// goal, by two trees that grow towards each other (RRT-Connect, Kuffner and
+/// LaValle 2000), smoothed by shortcuts. A function of its arguments: chance is
+/// drawn from the seed.
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked,
+                   const PathPlannerParams& params = {});
+
+}  // namespace cell
