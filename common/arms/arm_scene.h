@@ -43,6 +43,7 @@ class ArmScene {
   /// The part goes with the arm's gripper from now on.
   void Hold(const std::string& arm, const std::string& part,
             const Eigen::Isometry3d& X_GO);
+  /// What the arm held is gone until it is put somewhere.
   void LetGo(const std::string& arm);
 
   /// Nothing if the arm may stand so, with what it holds; else why not, e.g.
@@ -52,7 +53,8 @@ class ArmScene {
   std::optional<std::string> WhyBlocked(const std::string& arm,
                                         const ArmPosture& posture,
                                         const ClearanceRule& rule = {}) const;
-  /// The names of parts within `distance` [m] of the part at X_WO, and "table".
+  /// What is within `distance` [m] of the part at X_WO: parts, "table",
+  /// "pedestal".
   std::vector<std::string> Neighbours(const std::string& part,
                                       const Eigen::Isometry3d& X_WO,
                                       double distance) const;
@@ -72,13 +74,19 @@ class ArmScene {
   static constexpr double kSelfClearance = 0.002;  ///< [m]
 
  private:
-  struct Shapes;  ///< shared by copies
-  struct Posed;   ///< a body where it is
-  struct State;
+  struct Solid;   ///< a shape with its name
+  struct Shapes;  ///< of all bodies; copies share them
+  struct Posed;   ///< a solid where it is
+  class Query;
+
+  std::vector<Posed> Obstacles(size_t arm) const;
+  size_t ArmIndex(const std::string& arm) const;
+  size_t PartIndex(const std::string& part) const;
 
   std::shared_ptr<const Shapes> shapes_;
   std::vector<std::optional<Eigen::Isometry3d>> X_WO_;  ///< by part
   std::vector<ArmPosture> postures_;                    ///< by arm
+  std::vector<std::vector<Eigen::Isometry3d>> X_WB_;    ///< of arms' bodies
   std::vector<std::optional<Held>> held_;               ///< by arm
 };
 

@@ -10,11 +10,13 @@
 namespace cell {
 
 struct ReachParams {
-  double approach = 0.080;        ///< [m] straight before a grasp
-  double open_margin = 0.024;     ///< [m] wider than the part before a grasp
-  double lift = 0.020;            ///< [m] straight up, clear, after a grasp
-  double clearance = 0.010;       ///< [m] at the begin of a straight way
-  double near_clearance = 0.002;  ///< [m] along it
+  double approach = 0.080;     ///< [m] straight before a grasp
+  double open_margin = 0.024;  ///< [m] wider than the part before a grasp
+  double clearance = 0.002;    ///< [m] along the straight ways
+  /// [m] What is nearer to a part where it stands may be grazed by it on its
+  /// straight way there and from there.
+  double touching = 0.005;
+  size_t max_choices = 8;  ///< the search ends with so many
   int free_turns =
       24;  ///< copies tried of a part that any turn leaves as it is
   StraightLineParams line;

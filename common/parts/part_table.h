@@ -27,6 +27,8 @@ struct Site {
 struct Grasp {
   Eigen::Isometry3d X_OG = Eigen::Isometry3d::Identity();
   double width = 0;  ///< [m] between the fingers
+  /// Grips of a hand (HandType) that suit it, the best first.
+  std::vector<std::string> grips = {"two_finger_pinch"};
 };
 
 /// A right-hand thread: the last way of a part into a site of this type is by

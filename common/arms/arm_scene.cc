@@ -1,0 +1,311 @@
+#include "common/arms/arm_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/geometry/part_shape.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr char kTable[] = "table";
+constexpr char kPedestal[] = "pedestal";
+constexpr double kMinClearance = 1e-4;  // [m] what counts as touching
+
+Part PedestalPart(const CellLayout::Pedestal& pedestal) {
+  Part part;
+  part.name = kPedestal;
+  Piece piece;
+  piece.half_extents << pedestal.size / 2, pedestal.height / 2;
+  piece.X_OP.translation().z() = -pedestal.height / 2;
+  part.pieces = {piece};
+  return part;
+}
+
+// "gripper_right" of "gripper_right.palm".
+std::string OwnerOf(const std::string& body) {
+  return body.substr(0, body.find('.'));
+}
+
+}  // namespace
+
+struct ArmScene::Solid {
+  explicit Solid(const Part& part)
+      : name(part.name),
+        owner(OwnerOf(part.name)),
+        shape(part),
+        centre(shape.box().center()),
+        radius(shape.box().diagonal().norm() / 2) {}
+
+  bool IsCalled(const std::string& called) const {
+    return called == name || called == owner;
+  }
+
+  std::string name;
+  std::string owner;
+  PartShape shape;
+  Vector3d centre;  // of the sphere that holds it
+  double radius;
+};
+
+struct ArmScene::Shapes {
+  Shapes(const PartTable& table, const CellLayout& cell_layout)
+      : parts(table),
+        layout(cell_layout),
+        pedestal(PedestalPart(layout.pedestal)) {
+    for (const Part& part : parts.parts()) part_solids.emplace_back(part);
+    for (const ArmLayout& arm : layout.arms) {
+      std::vector<Solid>& solids = arm_solids.emplace_back();
+      for (const Part& body : BodyPartsOf(arm)) solids.emplace_back(body);
+    }
+  }
+
+  PartTable parts;
+  CellLayout layout;
+  Solid pedestal;
+  std::vector<Solid> part_solids;
+  std::vector<std::vector<Solid>> arm_solids;
+};
+
+struct ArmScene::Posed {
+  Posed(const Solid& its_solid, const Isometry3d& its_pose)
+      : solid(&its_solid), X_WO(its_pose), p_W(X_WO * its_solid.centre) {}
+
+  const Solid* solid;
+  Isometry3d X_WO;
+  Vector3d p_W;  // the middle of its sphere
+};
+
+// Finds the first pair that is nearer than the rule wants.
+class ArmScene::Query {
+ public:
+  explicit Query(const ClearanceRule& rule)
+      : rule_(rule), clearance_(std::max(rule.clearance, kMinClearance)) {}
+
+  std::optional<std::string> AgainstTable(const Posed& body) const {
+    if (body.p_W.z() - body.solid->radius >= clearance_ ||
+        body.solid->shape.LowestZ(body.X_WO) >= clearance_ ||
+        IsAllowed([](const std::string& name) { return name == kTable; },
+                  *body.solid)) {
+      return std::nullopt;
+    }
+    return fmt::format("{} would hit the table", body.solid->name);
+  }
+
+  std::optional<std::string> Against(const Posed& body,
+                                     const Posed& other) const {
+    return WhyTooNear(body, other, clearance_);
+  }
+
+  std::optional<std::string> AgainstOwn(const Posed& body,
+                                        const Posed& other) const {
+    return WhyTooNear(body, other, std::min(clearance_, kSelfClearance));
+  }
+
+ private:
+  std::optional<std::string> WhyTooNear(const Posed& a, const Posed& b,
+                                        double clearance) const {
+    const double between = a.solid->radius + b.solid->radius + clearance;
+    if ((a.p_W - b.p_W).squaredNorm() >= between * between) return std::nullopt;
+    if (!AreNear(a, b, clearance) ||
+        IsAllowed(
+            [&](const std::string& name) { return a.solid->IsCalled(name); },
+            *b.solid)) {
+      return std::nullopt;
+    }
+    return fmt::format("{} would hit {}", a.solid->name, b.solid->name);
+  }
+
+  static bool AreNear(const Posed& a, const Posed& b, double clearance) {
+    const auto is_far = [&](const Posed& box, const Posed& sphere) {
+      return box.solid->shape.box().exteriorDistance(
+                 box.X_WO.inverse(Eigen::Isometry) * sphere.p_W) >=
+             sphere.solid->radius + clearance;
+    };
+    if (is_far(a, b) || is_far(b, a)) return false;
+    // Any distance below the clearance ends the search.
+    return PartShape::Distance(a.solid->shape, a.X_WO, b.solid->shape, b.X_WO,
+                               clearance, clearance * (1 - 1e-6)) < clearance;
+  }
+
+  template <class IsFirst>
+  bool IsAllowed(const IsFirst& is_first, const Solid& second) const {
+    return std::ranges::any_of(rule_.allowed, [&](const auto& pair) {
+      return (is_first(pair.first) && second.IsCalled(pair.second)) ||
+             (is_first(pair.second) && second.IsCalled(pair.first));
+    });
+  }
+
+  const ClearanceRule& rule_;
+  double clearance_;
+};
+
+ArmScene::ArmScene(const PartTable& parts, const CellLayout& layout)
+    : shapes_(std::make_shared<const Shapes>(parts, layout)),
+      X_WO_(parts.parts().size()) {
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (parts.parts()[i].is_fixed) X_WO_[i] = layout.pedestal.X_WP;
+  }
+  for (const ArmLayout& arm : layout.arms) {
+    postures_.push_back(HomePosture(arm));
+    X_WB_.push_back(BodyPosesOf(arm, postures_.back()));
+  }
+  held_.resize(layout.arms.size());
+}
+
+void ArmScene::PutPart(const std::string& part, const Isometry3d& X_WO) {
+  const size_t index = PartIndex(part);
+  for (auto& held : held_) {
+    if (held && held->part == part) held.reset();
+  }
+  X_WO_[index] = X_WO;
+}
+
+void ArmScene::RemovePart(const std::string& part) {
+  X_WO_[PartIndex(part)].reset();
+}
+
+void ArmScene::PutParts(const std::map<std::string, Isometry3d>& X_WO) {
+  std::ranges::fill(X_WO_, std::nullopt);
+  for (const auto& [part, pose] : X_WO) PutPart(part, pose);
+}
+
+void ArmScene::SetPosture(const std::string& arm, const ArmPosture& posture) {
+  const size_t index = ArmIndex(arm);
+  X_WB_[index] = BodyPosesOf(layout().arms[index], posture);
+  postures_[index] = posture;
+}
+
+void ArmScene::Hold(const std::string& arm, const std::string& part,
+                    const Isometry3d& X_GO) {
+  RemovePart(part);
+  for (auto& held : held_) {
+    if (held && held->part == part) held.reset();
+  }
+  held_[ArmIndex(arm)] = Held{part, X_GO};
+}
+
+void ArmScene::LetGo(const std::string& arm) {
+  held_[ArmIndex(arm)].reset();
+}
+
+std::vector<ArmScene::Posed> ArmScene::Obstacles(size_t arm) const {
+  std::vector<Posed> obstacles;
+  obstacles.reserve(X_WO_.size() + 16 * postures_.size());
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (X_WO_[i]) obstacles.emplace_back(shapes_->part_solids[i], *X_WO_[i]);
+  }
+  obstacles.emplace_back(shapes_->pedestal, layout().pedestal.X_WP);
+  for (size_t other = 0; other < postures_.size(); ++other) {
+    if (other == arm) continue;
+    const std::vector<Solid>& solids = shapes_->arm_solids[other];
+    for (size_t i = 0; i < solids.size(); ++i) {
+      obstacles.emplace_back(solids[i], X_WB_[other][i]);
+    }
+    if (const auto& held = held_[other]) {
+      obstacles.emplace_back(
+          shapes_->part_solids[PartIndex(held->part)],
+          GripperPose(layout().arms[other], postures_[other].q) * held->X_GO);
+    }
+  }
+  return obstacles;
+}
+
+std::optional<std::string> ArmScene::WhyBlocked(
+    const std::string& arm, const ArmPosture& posture,
+    const ClearanceRule& rule) const {
+  const size_t index = ArmIndex(arm);
+  const ArmLayout& its_layout = layout().arms[index];
+  const std::vector<Solid>& solids = shapes_->arm_solids[index];
+  const std::vector<Isometry3d> X_WB = BodyPosesOf(its_layout, posture);
+  const std::vector<Posed> obstacles = Obstacles(index);
+  const Query query(rule);
+
+  std::vector<Posed> own;
+  own.reserve(solids.size() + 1);
+  for (size_t i = 0; i < solids.size(); ++i) {
+    own.emplace_back(solids[i], X_WB[i]);
+  }
+  const auto& held = held_[index];
+  if (held) {
+    own.emplace_back(shapes_->part_solids[PartIndex(held->part)],
+                     GripperPose(its_layout, posture.q) * held->X_GO);
+  }
+  // What is farthest out is most likely in the way.
+  for (size_t i = own.size(); i-- > kFirstLinkBody;) {
+    if (auto why = query.AgainstTable(own[i])) return why;
+    for (const Posed& obstacle : obstacles) {
+      if (auto why = query.Against(own[i], obstacle)) return why;
+    }
+    // What is held goes with the hand as the hand's boxes do.
+    for (size_t j = 0; j < std::min(i, kNumArmBodies); ++j) {
+      if (!MayCollide(j, i)) continue;
+      if (auto why = query.AgainstOwn(own[i], own[j])) return why;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> ArmScene::Neighbours(const std::string& part,
+                                              const Isometry3d& X_WO,
+                                              double distance) const {
+  const PartShape& shape = shapes_->part_solids[PartIndex(part)].shape;
+  const auto is_near = [&](const PartShape& other, const Isometry3d& X_WP) {
+    return PartShape::Distance(shape, X_WO, other, X_WP, distance) < distance;
+  };
+  std::vector<std::string> names;
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    const Solid& other = shapes_->part_solids[i];
+    if (other.name != part && X_WO_[i] && is_near(other.shape, *X_WO_[i])) {
+      names.push_back(other.name);
+    }
+  }
+  if (is_near(shapes_->pedestal.shape, layout().pedestal.X_WP)) {
+    names.emplace_back(kPedestal);
+  }
+  if (shape.LowestZ(X_WO) < distance) names.emplace_back(kTable);
+  return names;
+}
+
+const ArmPosture& ArmScene::PostureOf(const std::string& arm) const {
+  return postures_[ArmIndex(arm)];
+}
+
+std::optional<Isometry3d> ArmScene::PoseOf(const std::string& part) const {
+  return X_WO_[PartIndex(part)];
+}
+
+std::optional<ArmScene::Held> ArmScene::HeldBy(const std::string& arm) const {
+  return held_[ArmIndex(arm)];
+}
+
+const CellLayout& ArmScene::layout() const {
+  return shapes_->layout;
+}
+
+const PartTable& ArmScene::parts() const {
+  return shapes_->parts;
+}
+
+size_t ArmScene::ArmIndex(const std::string& arm) const {
+  const auto& arms = shapes_->layout.arms;
+  for (size_t i = 0; i < arms.size(); ++i) {
+    if (arms[i].name == arm) return i;
+  }
+  throw std::invalid_argument(fmt::format("there is no arm '{}'", arm));
+}
+
+size_t ArmScene::PartIndex(const std::string& part) const {
+  const auto& solids = shapes_->part_solids;
+  for (size_t i = 0; i < solids.size(); ++i) {
+    if (solids[i].name == part) return i;
+  }
+  throw std::invalid_argument(fmt::format("there is no part '{}'", part));
+}
+
+}  // namespace cell

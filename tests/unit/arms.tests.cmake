@@ -1,0 +1,1 @@
+cell_add_test(unit/ur5_test.cc LINK cell_arms)
