@@ -116,10 +116,10 @@ std::vector<Joints> SolveInverse(const Isometry3d& X_BF, double q6_if_free) {
       q[4] = q5;
       const double s5 = std::sin(q5);
       const bool is_free = std::abs(s5) < 1e-7;
-      // x6 . z1 = -s5 c6 and y6 . z1 = s5 s6
+      // x6 . z1 = s5 c6 and y6 . z1 = -s5 s6
       q[5] = is_free
                  ? q6_if_free
-                 : std::atan2(R.col(1).dot(z1) / s5, -R.col(0).dot(z1) / s5);
+                 : std::atan2(-R.col(1).dot(z1) / s5, R.col(0).dot(z1) / s5);
       const Isometry3d X_46 =
           DhTransform(kRows[4], q5) * DhTransform(kRows[5], q[5]);
       const Isometry3d X_14 =
