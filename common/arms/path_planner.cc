@@ -56,7 +56,7 @@ class Search {
       : why_blocked_(why_blocked), params_(params), random_(params.seed) {}
 
   bool IsFree(const Joints& a, const Joints& b) const {
-    return !WhyEdgeBlocked(a, b, why_blocked_, params_.joint_step);
+    return !WhyEdgeBlocked(a, b, why_blocked_, params_);
   }
 
   std::vector<Joints> GrowTrees(const Joints& start,
@@ -187,15 +187,23 @@ size_t IndexOf(const std::vector<Joints>& goals, const Joints& q) {
 
 std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,
-                                          double joint_step) {
-  const double way = (b - a).cwiseAbs().maxCoeff();
-  const int num = std::max(1, static_cast<int>(std::ceil(way / joint_step)));
+                                          const PathPlannerParams& params) {
+  const double way = Joints(params.levers.data()).dot((b - a).cwiseAbs());
+  const int num =
+      std::max(1, static_cast<int>(std::ceil(way / params.tip_step)));
   // The end first: it is where most edges fail.
   for (int i = num; i >= 1; --i) {
     const double share = static_cast<double>(i) / num;
     if (auto why = why_blocked(a + share * (b - a))) return why;
   }
   return std::nullopt;
+}
+
+WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
+                      const ArmPosture& posture, const ClearanceRule& rule) {
+  return [=](const Joints& q) {
+    return scene.WhyBlocked(arm, {q, posture.grip, posture.opening}, rule);
+  };
 }
 
 JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
@@ -231,8 +239,7 @@ JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
   }
   std::vector<Joints> path = search.GrowTrees(start, open);
   if (path.empty()) {
-    const auto why =
-        WhyEdgeBlocked(start, open.front(), why_blocked, params.joint_step);
+    const auto why = WhyEdgeBlocked(start, open.front(), why_blocked, params);
     return {{}, 0, "no way around: " + why.value_or("the goal")};
   }
   search.Shorten(&path);

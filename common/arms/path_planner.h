@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/arms/arm_scene.h"
 #include "common/layout/arm_layout.h"
 
 namespace cell {
@@ -14,7 +16,11 @@ namespace cell {
 using WhyBlockedAt = std::function<std::optional<std::string>(const Joints&)>;
 
 struct PathPlannerParams {
-  double joint_step = 0.04;   ///< [rad] of the fastest joint between two checks
+  /// [m] by which the fingertips move, at most and about, between two checks:
+  /// less than twice the clearance that the checks want, and nothing is missed.
+  double tip_step = 0.015;
+  /// [m] Of the fingertips about each axis.
+  std::array<double, 6> levers = {0.90, 0.90, 0.75, 0.45, 0.40, 0.15};
   double tree_step = 0.35;    ///< [rad] by which a tree grows
   int max_iterations = 2000;  ///< of the trees
   int shortcut_rounds = 60;
@@ -34,7 +40,11 @@ struct JointPath {
 /// its way. `a` itself is not looked at.
 std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,
-                                          double joint_step);
+                                          const PathPlannerParams& params = {});
+
+/// Asks the scene, as it is now, about an arm whose hand stays as in `posture`.
+WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
+                      const ArmPosture& posture, const ClearanceRule& rule);
 
 /// A free path from `start` to the first of the goals, best first, that has
 /// one: straight; through one of `vias`, e.g. a raised posture; or, to any

@@ -20,10 +20,6 @@ Isometry3d TurnedAboutZ(double angle) {
   return Isometry3d(AngleAxisd(angle, Vector3d::UnitZ()));
 }
 
-Isometry3d Shifted(const Isometry3d& X_W, const Vector3d& way_W) {
-  return Eigen::Translation3d(way_W) * X_W;
-}
-
 // The reason of the attempt that came farthest.
 class Reasons {
  public:
@@ -62,18 +58,28 @@ double CostOf(const Joints& q, const Joints& seed) {
 
 }  // namespace
 
-// One question to Reach: its candidates and why others are none.
+// One question to Reach: its candidates, and why others are none.
 struct Reach::Search {
+  using GraspCandidates = std::vector<Candidate<GraspChoice>>;
+  using PlaceCandidates = std::vector<Candidate<PlaceChoice>>;
+
+  // Best first.
+  GraspCandidates ToGrasp(const Part& part, const Isometry3d& X_WO,
+                          const Joints& seed);
+  PlaceCandidates ToPlace(const Part& part, const Isometry3d& X_GO,
+                          const PlaceTarget& target, const Joints& seed);
+  bool Suits(const GraspChoice& choice);
   // Every straight way of the gripper from X_WG_begin to X_WG_end; `turn` [rad]
   // of joint 6 must be possible at its end.
   std::vector<std::vector<Joints>> Tracks(const Isometry3d& X_WG_begin,
                                           const Isometry3d& X_WG_end,
                                           const Joints& seed, double turn);
+  // True if joint 6 has that room, at a whole turn from where it is.
+  bool FindRoom(Joints* q, double turn) const;
   // True if the arm may stand so all along the track.
   bool IsFree(const ArmScene& scene, const std::vector<Joints>& track,
               const std::string& grip, double opening,
               const ClearanceRule& rule);
-  bool HasRoom(Joints* q, double turn) const;
 
   const Reach& reach;
   Reasons reasons{};
@@ -91,7 +97,7 @@ Reach::Reach(const ArmScene& scene, const std::string& arm,
   scene_.LetGo(arm);
 }
 
-bool Reach::Search::HasRoom(Joints* q, double turn) const {
+bool Reach::Search::FindRoom(Joints* q, double turn) const {
   const double limit = ur5::kJointLimit - reach.params_.line.joint_margin;
   // Of the copies of joint 6 the first that is near enough to its place.
   for (const double whole : {0.0, 2 * kPi, -2 * kPi}) {
@@ -118,7 +124,7 @@ std::vector<std::vector<Joints>> Reach::Search::Tracks(
   if (solutions.empty()) reasons.Add(Reasons::kReach, "out of reach");
   for (const Joints& solution : solutions) {
     Joints q = ur5::NearestTo(seed, solution);
-    if (!HasRoom(&q, turn)) {
+    if (!FindRoom(&q, turn)) {
       reasons.Add(Reasons::kLimits, "beyond a joint limit");
       continue;
     }
@@ -146,65 +152,102 @@ bool Reach::Search::IsFree(const ArmScene& scene,
   return true;
 }
 
-Choices<GraspChoice> Reach::Grasps(const std::string& part_name,
-                                   const Joints& seed) const {
-  const auto X_WO = scene_.PoseOf(part_name);
-  if (!X_WO) return {{}, part_name + " is nowhere to be taken from"};
-  const Part& part = *scene_.parts().Find(part_name);
-  Search search{*this};
-  std::vector<Candidate<GraspChoice>> candidates;
+bool Reach::Search::Suits(const GraspChoice& choice) {
+  const HandType& hand = reach.arm_->hand;
+  if (hand.FindGrip(choice.grip) == nullptr) {
+    reasons.Add(Reasons::kHand, "the hand cannot grip like that");
+    return false;
+  }
+  if (choice.opening > hand.max_opening) {
+    reasons.Add(Reasons::kHand, "too wide for the hand");
+    return false;
+  }
+  return true;
+}
+
+Reach::Search::GraspCandidates Reach::Search::ToGrasp(const Part& part,
+                                                      const Isometry3d& X_WO,
+                                                      const Joints& seed) {
+  const ReachParams& params = reach.params_;
+  GraspCandidates candidates;
+  const auto add = [&](GraspChoice choice, double preference) {
+    const Isometry3d X_WG = X_WO * choice.X_OG;
+    const Isometry3d X_WG_begin =
+        X_WG * Eigen::Translation3d(0, 0, params.approach);
+    for (auto& track : Tracks(X_WG_begin, X_WG, seed, 0)) {
+      choice.q_grasp = track.front();
+      choice.q_approach = track.back();
+      choice.cost = CostOf(choice.q_approach, seed) + preference;
+      candidates.push_back({choice, std::move(track)});
+    }
+  };
   for (size_t i = 0; i < part.grasps.size(); ++i) {
     const Grasp& grasp = part.grasps[i];
     for (size_t rank = 0; rank < grasp.grips.size(); ++rank) {
-      GraspChoice choice{i, grasp.grips[rank],
-                         grasp.width + params_.open_margin, grasp.width};
-      if (arm_->hand.FindGrip(choice.grip) == nullptr) {
-        search.reasons.Add(Reasons::kHand, "the hand has no such grip");
-        continue;
-      }
-      if (choice.opening > arm_->hand.max_opening) {
-        search.reasons.Add(Reasons::kHand, "too wide for the hand");
-        continue;
-      }
+      GraspChoice choice{i, grasp.grips[rank], grasp.width + params.open_margin,
+                         grasp.width};
+      if (!Suits(choice)) continue;
       for (const double turn : {0.0, kPi}) {
         choice.X_OG = grasp.X_OG * TurnedAboutZ(turn);
-        const Isometry3d X_WG = *X_WO * choice.X_OG;
-        const Isometry3d X_WG_begin =
-            X_WG * Eigen::Translation3d(0, 0, params_.approach);
-        for (auto& track : search.Tracks(X_WG_begin, X_WG, seed, 0)) {
-          choice.q_grasp = track.front();
-          choice.q_approach = track.back();
-          choice.cost =
-              CostOf(choice.q_approach, seed) + static_cast<double>(rank);
-          candidates.push_back({choice, std::move(track)});
-        }
+        add(choice, static_cast<double>(rank));
       }
     }
   }
   SortByCost(&candidates);
+  return candidates;
+}
 
-  // Open on the way there; closed on it; with it on the way back.
-  const ClearanceRule rule{params_.clearance, {}};
-  ClearanceRule closing = rule;
-  for (const HandType::Box& box : arm_->hand.boxes) {
-    closing.allowed.emplace_back(arm_->gripper + "." + box.name, part_name);
+Reach::Search::PlaceCandidates Reach::Search::ToPlace(const Part& part,
+                                                      const Isometry3d& X_GO,
+                                                      const PlaceTarget& target,
+                                                      const Joints& seed) {
+  const int num_copies =
+      part.symmetry_order == 0 ? reach.params_.free_turns : part.symmetry_order;
+  PlaceCandidates candidates;
+  for (int i = 0; i < num_copies; ++i) {
+    PlaceChoice choice;
+    choice.X_WO = target.X_WO * TurnedAboutZ(2 * kPi * i / num_copies);
+    const Isometry3d X_WG = choice.X_WO * X_GO.inverse();
+    // Joint 6 turns about z of the flange, against z of G.
+    const double along = -X_WG.linear().col(2).dot(target.way_out);
+    if (target.turn != 0 && std::abs(along) < kAligned) {
+      reasons.Add(Reasons::kHand, "the grip is off the axis to turn about");
+      continue;
+    }
+    const Isometry3d X_WG_begin =
+        Eigen::Translation3d(target.approach * target.way_out) * X_WG;
+    const double turn = std::copysign(1.0, along) * target.turn;
+    for (auto& track : Tracks(X_WG_begin, X_WG, seed, turn)) {
+      choice.q_place = track.front();
+      choice.q_approach = track.back();
+      choice.cost = CostOf(choice.q_approach, seed);
+      candidates.push_back({choice, std::move(track)});
+    }
   }
-  ClearanceRule leaving = rule;
-  for (const std::string& neighbour :
-       scene_.Neighbours(part_name, *X_WO, params_.touching)) {
-    leaving.allowed.emplace_back(part_name, neighbour);
-  }
+  SortByCost(&candidates);
+  return candidates;
+}
+
+Choices<GraspChoice> Reach::Grasps(const std::string& part_name,
+                                   const Joints& seed) const {
+  const auto X_WO = scene_.PoseOf(part_name);
+  if (!X_WO) return {{}, part_name + " is nowhere to be taken from"};
+  Search search{*this};
+  const ClearanceRule open{params_.clearance, {}};
+  const ClearanceRule leaving = Grazing(part_name, *X_WO);
   Choices<GraspChoice> choices;
-  for (const auto& [choice, track] : candidates) {
+  for (const auto& [choice, track] :
+       search.ToGrasp(*scene_.parts().Find(part_name), *X_WO, seed)) {
     ArmScene holding = scene_;
     holding.Hold(arm_name_, part_name, choice.X_OG.inverse());
-    if (search.IsFree(scene_, track, choice.grip, choice.opening, rule) &&
-        search.IsFree(scene_, {choice.q_grasp}, choice.grip, choice.width,
-                      closing) &&
-        search.IsFree(holding, track, choice.grip, choice.width, leaving)) {
-      choices.list.push_back(choice);
-      if (choices.list.size() == params_.max_choices) break;
+    if (!search.IsFree(scene_, track, choice.grip, choice.opening, open) ||
+        !search.IsFree(scene_, {choice.q_grasp}, choice.grip, choice.width,
+                       Closing(part_name, choice.grip)) ||
+        !search.IsFree(holding, track, choice.grip, choice.width, leaving)) {
+      continue;
     }
+    choices.list.push_back(choice);
+    if (choices.list.size() == params_.max_choices) break;
   }
   if (!choices) choices.reason = search.reasons.text();
   return choices;
@@ -218,54 +261,48 @@ Choices<PlaceChoice> Reach::Placements(const std::string& part_name,
   const Part* part = scene_.parts().Find(part_name);
   if (part == nullptr) return {{}, "there is no part " + part_name};
   Search search{*this};
-  std::vector<Candidate<PlaceChoice>> candidates;
-  const int num_copies =
-      part->symmetry_order == 0 ? params_.free_turns : part->symmetry_order;
-  for (int i = 0; i < num_copies; ++i) {
-    PlaceChoice choice;
-    choice.X_WO = target.X_WO * TurnedAboutZ(2 * kPi * i / num_copies);
-    const Isometry3d X_WG = choice.X_WO * X_GO.inverse();
-    // Joint 6 turns about z of the flange, against z of G.
-    const double along = -X_WG.linear().col(2).dot(target.way_out);
-    if (target.turn != 0 && std::abs(along) < kAligned) {
-      search.reasons.Add(Reasons::kReach, "the grip is off the axis to turn");
-      continue;
-    }
-    const double turn = std::copysign(1.0, along) * target.turn;
-    for (auto& track :
-         search.Tracks(Shifted(X_WG, target.approach * target.way_out), X_WG,
-                       seed, turn)) {
-      choice.q_place = track.front();
-      choice.q_approach = track.back();
-      choice.cost = CostOf(choice.q_approach, seed);
-      candidates.push_back({choice, std::move(track)});
-    }
-  }
-  SortByCost(&candidates);
-
-  // With it on the way there; open on the way back.
-  const ClearanceRule rule{params_.clearance, {}};
-  ClearanceRule arriving = rule;
   ArmScene holding = scene_;
   holding.Hold(arm_name_, part_name, X_GO);
-  for (const std::string& neighbour :
-       holding.Neighbours(part_name, target.X_WO, params_.touching)) {
-    arriving.allowed.emplace_back(part_name, neighbour);
-  }
+  const ClearanceRule arriving = Grazing(part_name, target.X_WO);
+  const ClearanceRule open{params_.clearance, {}};
   const double opening =
       std::min(width + params_.open_margin, arm_->hand.max_opening);
   Choices<PlaceChoice> choices;
-  for (const auto& [choice, track] : candidates) {
+  for (const auto& [choice, track] :
+       search.ToPlace(*part, X_GO, target, seed)) {
     ArmScene placed = scene_;
     placed.PutPart(part_name, choice.X_WO);
-    if (search.IsFree(holding, track, grip, width, arriving) &&
-        search.IsFree(placed, track, grip, opening, rule)) {
-      choices.list.push_back(choice);
-      if (choices.list.size() == params_.max_choices) break;
+    if (!search.IsFree(holding, track, grip, width, arriving) ||
+        !search.IsFree(placed, track, grip, opening, open)) {
+      continue;
     }
+    choices.list.push_back(choice);
+    if (choices.list.size() == params_.max_choices) break;
   }
   if (!choices) choices.reason = search.reasons.text();
   return choices;
+}
+
+ClearanceRule Reach::Closing(const std::string& part,
+                             const std::string& grip) const {
+  ClearanceRule rule{params_.clearance, {}};
+  const auto& places = arm_->hand.FindGrip(grip)->places;
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (!HandType::IsFinger(places[i])) continue;
+    rule.allowed.emplace_back(arm_->gripper + "." + arm_->hand.boxes[i].name,
+                              part);
+  }
+  return rule;
+}
+
+ClearanceRule Reach::Grazing(const std::string& part,
+                             const Isometry3d& X_WO) const {
+  ClearanceRule rule{params_.clearance, {}};
+  for (const std::string& neighbour :
+       scene_.Neighbours(part, X_WO, params_.touching)) {
+    rule.allowed.emplace_back(part, neighbour);
+  }
+  return rule;
 }
 
 Choices<TransferChoice> Reach::Transfers(const std::string& part,

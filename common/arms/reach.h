@@ -99,6 +99,12 @@ class Reach {
  private:
   struct Search;
 
+  /// When the fingers close on the part.
+  ClearanceRule Closing(const std::string& part, const std::string& grip) const;
+  /// When the part, held, leaves X_WO or gets there.
+  ClearanceRule Grazing(const std::string& part,
+                        const Eigen::Isometry3d& X_WO) const;
+
   ArmScene scene_;
   std::string arm_name_;
   const ArmLayout* arm_;  ///< in the scene's layout

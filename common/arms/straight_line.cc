@@ -43,6 +43,12 @@ std::optional<Joints> TrackPose(const ArmLayout& arm, const Isometry3d& X_WG,
   return std::nullopt;
 }
 
+std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,
+                               const Joints& q) {
+  return TrackPose(arm,
+                   Eigen::Translation3d(0, 0, height) * GripperPose(arm, q), q);
+}
+
 StraightLine TrackLine(const ArmLayout& arm, const Joints& start,
                        const Isometry3d& X_WG,
                        const StraightLineParams& params) {

@@ -20,6 +20,11 @@ std::optional<Joints> TrackPose(const ArmLayout& arm,
                                 const Eigen::Isometry3d& X_WG,
                                 const Joints& seed);
 
+/// The joints that have the gripper `height` [m] above where `q` has it, in the
+/// same branch: what a path over obstacles may pass. Nothing if out of reach.
+std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,
+                               const Joints& q);
+
 /// A motion of the gripper along a straight line, or why it cannot be.
 struct StraightLine {
   std::vector<Joints> track;  ///< from the first joints on; none if it cannot

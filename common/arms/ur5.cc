@@ -39,9 +39,9 @@ double Wrapped(double angle) {
   return std::remainder(angle, 2 * kPi);
 }
 
-// How far the wrist reaches in the plane of axes 2, 3, 4.
-double PlanarReach(const Joints& q) {
-  return kA2 * std::cos(q[1]) + kA3 * std::cos(q[1] + q[2]) +
+// How far the wrist is in front of axis 1, in the plane that the arm moves in.
+double ReachOf(const Joints& q) {
+  return -kA2 * std::cos(q[1]) - kA3 * std::cos(q[1] + q[2]) -
          kD5 * std::sin(q[1] + q[2] + q[3]);
 }
 
@@ -156,14 +156,14 @@ double LimitMargin(const Joints& q) {
 }
 
 Branch BranchOf(const Joints& q) {
-  return {PlanarReach(q) < 0, std::sin(q[2]) < 0, std::sin(q[4]) < 0};
+  return {ReachOf(q) < 0, std::sin(q[2]) < 0, std::sin(q[4]) < 0};
 }
 
 Regularity RegularityOf(const Joints& q) {
   Regularity regularity;
   regularity.elbow = std::sin(q[2]);
   regularity.wrist = std::sin(q[4]);
-  regularity.reach = PlanarReach(q);
+  regularity.reach = ReachOf(q);
   regularity.determinant = std::abs(kA2 * kA3 * regularity.elbow *
                                     regularity.wrist * regularity.reach);
   regularity.wrist_distance = std::hypot(kD4, regularity.reach);

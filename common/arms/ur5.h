@@ -42,18 +42,18 @@ double LimitMargin(const Joints& q);
 /// Which of the 8 solutions: the signs of what vanishes at a singularity. Only
 /// through one can a motion go from branch to branch.
 struct Branch {
-  bool is_shoulder_back = false;  ///< reach < 0
+  bool is_reach_negative = false;
   bool is_elbow_negative = false;
   bool is_wrist_negative = false;
   bool operator==(const Branch&) const = default;
 };
 Branch BranchOf(const Joints& q);
 
-/// How far from singular. det J = a2 a3 sin(q3) sin(q5) reach.
+/// How far from singular. |det J| = a2 a3 |sin q3 sin q5 reach|.
 struct Regularity {
-  double elbow = 0;  ///< sin q3
-  double wrist = 0;  ///< sin q5
-  double reach = 0;  ///< [m] signed, of the wrist from the plane of axes 1, 2
+  double elbow = 0;           ///< sin q3
+  double wrist = 0;           ///< sin q5
+  double reach = 0;           ///< [m] of the wrist in front of axis 1
   double determinant = 0;     ///< |det J| [m^3]
   double wrist_distance = 0;  ///< [m] of the wrist's centre from axis 1
 };
