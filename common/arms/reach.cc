@@ -23,7 +23,15 @@ Isometry3d TurnedAboutZ(double angle) {
 // The reason of the attempt that came farthest.
 class Reasons {
  public:
-  enum Stage { kHand, kReach, kLimits, kSingular, kWorkspace, kCollision };
+  enum Stage {
+    kGrip,
+    kHand,
+    kReach,
+    kLimits,
+    kSingular,
+    kWorkspace,
+    kCollision
+  };
   void Add(Stage stage, const std::string& text) {
     if (!text_.empty() && stage <= stage_) return;
     stage_ = stage;
@@ -32,7 +40,7 @@ class Reasons {
   const std::string& text() const { return text_; }
 
  private:
-  Stage stage_ = kHand;
+  Stage stage_ = kGrip;
   std::string text_;
 };
 
@@ -155,7 +163,7 @@ bool Reach::Search::IsFree(const ArmScene& scene,
 bool Reach::Search::Suits(const GraspChoice& choice) {
   const HandType& hand = reach.arm_->hand;
   if (hand.FindGrip(choice.grip) == nullptr) {
-    reasons.Add(Reasons::kHand, "the hand cannot grip like that");
+    reasons.Add(Reasons::kGrip, "the hand cannot grip like that");
     return false;
   }
   if (choice.opening > hand.max_opening) {
