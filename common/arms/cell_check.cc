@@ -19,12 +19,12 @@ std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
   if (!ur5::IsWithinLimits(arm.home)) {
     return key + ".home_deg: beyond the joint limits";
   }
-  if (!arm.workspace.contains(GripperPose(arm, arm.home).translation())) {
-    return key + ".home_deg: the gripper is outside the arm's workspace";
-  }
   if (const auto why =
           scene.WhyBlocked(arm.name, HomePosture(arm), {kHomeClearance, {}})) {
     return fmt::format("{}.home_deg: {}", key, *why);
+  }
+  if (!arm.workspace.contains(GripperPose(arm, arm.home).translation())) {
+    return key + ".home_deg: the gripper is outside the arm's workspace";
   }
   return std::nullopt;
 }

@@ -160,12 +160,64 @@ TEST_F(ArmSceneTest, AnArmMayHitItself) {
 
 TEST_F(ArmSceneTest, AWristInTheOpenIsFreeWhileItsHandPointsOutwards) {
   std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> angle(-3.1, 3.1), half(-1.5, 1.5);
+  std::uniform_real_distribution<double> angle(-3.1, 3.1), half(-1.0, 1.0);
   for (int i = 0; i < 300; ++i) {
     ArmPosture raised = HomePosture(Arm("right"));
     raised.q << 0, -1.9, 0.6, angle(random), half(random), angle(random);
     EXPECT_EQ(WhyBlocked(raised), std::nullopt) << raised.q.transpose();
   }
+}
+
+TEST_F(ArmSceneTest, MissesNothingAndSeesNothingThatIsNotThere) {
+  Stage stage(task_);
+  std::vector<std::pair<PartShape, Isometry3d>> others;
+  for (const Part& part : task_.parts.parts()) {
+    scene_.PutPart(part.name, stage.PoseOf(part.name));
+    others.emplace_back(PartShape(part), stage.PoseOf(part.name));
+  }
+  const ArmLayout& left = Arm("left");
+  const std::vector<Part> left_bodies = BodyPartsOf(left);
+  const auto X_W_left = BodyPosesOf(left, HomePosture(left));
+  for (size_t i = 0; i < left_bodies.size(); ++i) {
+    others.emplace_back(PartShape(left_bodies[i]), X_W_left[i]);
+  }
+  std::vector<PartShape> bodies;
+  for (const Part& body : BodyPartsOf(Arm("right"))) bodies.emplace_back(body);
+
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> x(-0.35, 0.45), y(-0.6, 0.3),
+      z(0.02, 0.3);
+  const double clearance = 0.015;
+  ClearanceRule rule{
+      clearance, {{"pedestal", "arm_right"}, {"pedestal", "gripper_right"}}};
+  int num_asked = 0, num_blocked = 0;
+  for (int i = 0; i < 400; ++i) {
+    const auto q = TrackPose(
+        Arm("right"), Down(x(random), y(random), z(random)), Arm("right").home);
+    if (!q || !ur5::IsRegular(*q)) continue;
+    const ArmPosture posture{*q, "two_finger_pinch", 0.06};
+    const auto X_W = BodyPosesOf(Arm("right"), posture);
+    bool is_blocked = false;
+    for (size_t b = kFirstLinkBody; b < bodies.size(); ++b) {
+      is_blocked = is_blocked || bodies[b].LowestZ(X_W[b]) < clearance;
+      for (size_t c = 0; c < b; ++c) {
+        is_blocked = is_blocked ||
+                     (MayCollide(c, b) &&
+                      PartShape::Distance(bodies[b], X_W[b], bodies[c], X_W[c],
+                                          1) < ArmScene::kSelfClearance);
+      }
+      for (const auto& [shape, X_WO] : others) {
+        is_blocked = is_blocked || PartShape::Distance(bodies[b], X_W[b], shape,
+                                                       X_WO, 1) < clearance;
+      }
+    }
+    ++num_asked;
+    num_blocked += is_blocked ? 1 : 0;
+    const auto why = WhyBlocked(posture, rule);
+    EXPECT_EQ(why.has_value(), is_blocked) << why.value_or("nothing");
+  }
+  EXPECT_GT(num_blocked, 40);
+  EXPECT_GT(num_asked - num_blocked, 40);
 }
 
 TEST_F(ArmSceneTest, NeighboursOfASeatedPartAreWhatItTouches) {
