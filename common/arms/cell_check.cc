@@ -9,12 +9,22 @@ namespace cell {
 namespace {
 
 constexpr double kHomeClearance = 0.010;  // [m]
+constexpr double kUpright = 0.9999;       // cosine: its plinth is a box
+constexpr double kPayload = 5;            // [kg] of a UR5
 
 std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
                                             const ArmScene& scene) {
   const std::string key = "arms." + arm.name;
   if (arm.X_WB.translation().z() < 0) {
     return key + ".base: lies below the table's top";
+  }
+  if (arm.X_WB.linear()(2, 2) < kUpright) return key + ".base: leans";
+  if (arm.tool_mass > kPayload) {
+    return fmt::format("{}.tool.mass: the arm carries {} kg", key, kPayload);
+  }
+  const Eigen::Vector3d p_W_station = arm.X_WT_station.translation();
+  if (!arm.workspace.contains(p_W_station)) {
+    return key + ".station: outside the arm's workspace";
   }
   if (!ur5::IsWithinLimits(arm.home)) {
     return key + ".home_deg: beyond the joint limits";

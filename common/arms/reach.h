@@ -97,8 +97,6 @@ class Reach {
                                     size_t max_choices = 4) const;
 
  private:
-  struct Search;
-
   /// When the fingers close on the part.
   ClearanceRule Closing(const std::string& part, const std::string& grip) const;
   /// When the part, held, leaves X_WO or gets there.

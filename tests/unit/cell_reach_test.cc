@@ -170,6 +170,21 @@ TEST_F(CellReach, EveryScatteredPartIsWithinReachOfAnArm) {
   EXPECT_GE(num_either, 0.995 * num_parts);
 }
 
+TEST_F(CellReach, EveryGripThatAPartNamesIsAHands) {
+  for (const Part& part : task_.parts.parts()) {
+    for (const Grasp& grasp : part.grasps) {
+      for (const std::string& grip : grasp.grips) {
+        EXPECT_TRUE(std::ranges::any_of(task_.layout.AllHands(),
+                                        [&](const CellLayout::NamedHand& hand) {
+                                          return hand.type->FindGrip(grip) !=
+                                                 nullptr;
+                                        }))
+            << part.name << ": " << grip;
+      }
+    }
+  }
+}
+
 TEST_F(CellReach, AtTheStationEitherArmTakesWhatTheOtherSetDown) {
   for (const Part& part : task_.parts.parts()) {
     if (part.is_fixed) continue;
@@ -337,6 +352,12 @@ TEST(CellCheck, RefusesWhatCannotBe) {
             "workspace");
   EXPECT_EQ(WhyRefused("[60.8, -105.4", "[400, -105.4"),
             "cell.yaml:arms.right.home_deg: beyond the joint limits");
+  EXPECT_EQ(WhyRefused("rpy_deg: [0, 0, -5.7]", "rpy_deg: [0, 10, -5.7]"),
+            "cell.yaml:arms.right.base: leans");
+  EXPECT_EQ(WhyRefused("mass: 2.40", "mass: 6"),
+            "cell.yaml:arms.right.tool.mass: the arm carries 5 kg");
+  EXPECT_EQ(WhyRefused("station: [0.05, -0.40]", "station: [1, -0.40]"),
+            "cell.yaml:arms.right.station: outside the arm's workspace");
   EXPECT_THAT(WhyRefused("elevation_deg: 50", "elevation_deg: 90"),
               StartsWith("cell.yaml:cameras.elevation_deg"));
   EXPECT_THAT(WhyRefused("view_deg: [57, 43]", "view_deg: [57, 0]"),
