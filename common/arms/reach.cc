@@ -3,13 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "common/arms/reach_search.h"
 
 namespace cell {
+namespace {
 
 using Eigen::Isometry3d;
+
+// The wrist at every 15 deg of a turn.
+std::vector<Joints> Turning(const PlaceChoice& choice) {
+  constexpr double kStep = std::numbers::pi / 12;
+  const Joints way = choice.q_turned - choice.q_place;
+  const int num = static_cast<int>(std::ceil(way.norm() / kStep));
+  std::vector<Joints> turning;
+  for (int i = 1; i <= num; ++i) {
+    turning.push_back(choice.q_place + way * i / num);
+  }
+  return turning;
+}
+
+}  // namespace
 
 Reach::Reach(const ArmScene& scene, const std::string& arm,
              const ReachParams& params)
@@ -68,6 +85,7 @@ Choices<PlaceChoice> Reach::Placements(const std::string& part_name,
     ArmScene placed = scene_;
     placed.PutPart(part_name, choice.X_WO);
     if (!search.IsFree(holding, track, grip, width, arriving) ||
+        !search.IsFree(holding, Turning(choice), grip, width, arriving) ||
         !search.IsFree(placed, track, grip, opening, open)) {
       continue;
     }

@@ -39,6 +39,7 @@ struct PlaceChoice {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();  ///< a like target
   Joints q_approach = Joints::Zero();
   Joints q_place = Joints::Zero();
+  Joints q_turned = Joints::Zero();  ///< after PlaceTarget::turn
   double cost = 0;
 };
 
@@ -48,7 +49,8 @@ struct PlaceTarget {
   Eigen::Vector3d way_out = Eigen::Vector3d::UnitZ();  ///< in W, unit
   double approach = 0.100;                             ///< [m]
   /// [rad] turned by afterwards about way_out, right-hand, by joint 6; what is
-  /// screwed in goes -405 deg. Only placements with that much room are found.
+  /// screwed in goes -405 deg. Only placements with that much room are found,
+  /// clear all around.
   double turn = 0;
 };
 

@@ -158,6 +158,7 @@ std::vector<ReachSearch::Candidate<PlaceChoice>> ReachSearch::ToPlace(
     const double turn = std::copysign(1.0, along) * target.turn;
     for (auto& track : Tracks(X_WG_begin, X_WG, seed, turn)) {
       choice.q_place = track.front();
+      choice.q_turned = choice.q_place + turn * Joints::Unit(5);
       choice.q_approach = track.back();
       choice.cost = CostOf(choice.q_approach, seed);
       candidates.push_back({choice, std::move(track)});

@@ -147,6 +147,7 @@ TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
       // The flange looks down: turning by joint 6 is turning the other way.
       Joints turned = place.q_place;
       turned[5] -= turn;
+      EXPECT_TRUE(turned.isApprox(place.q_turned, 1e-12));
       EXPECT_TRUE(ur5::IsWithinLimits(turned));
       const Isometry3d X_WG = GripperPose(Arm("right"), place.q_place);
       const Eigen::AngleAxisd about(turn, Eigen::Vector3d::UnitZ());
