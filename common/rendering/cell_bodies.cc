@@ -13,7 +13,6 @@ constexpr double kHalfTable = 1.5;  // [m]
 constexpr Colour kTableColour = {0.42, 0.38, 0.33};
 constexpr Colour kPedestalColour = {0.20, 0.21, 0.23};
 constexpr Colour kHandColour = {0.82, 0.58, 0.45};
-constexpr Colour kGripperColour = {0.30, 0.32, 0.36};
 
 }  // namespace
 
@@ -32,8 +31,7 @@ std::vector<RenderBody> BodiesOf(const PartTable& parts,
     add_hand(hand.name, hand.type, kHandColour);
   }
   for (const ArmLayout& arm : layout.arms) {
-    for (const Part& link : ArmLinks(arm)) bodies.push_back(BodyOf(link));
-    add_hand(arm.gripper, arm.hand, kGripperColour);
+    for (const Part& body : BodyPartsOf(arm)) bodies.push_back(BodyOf(body));
   }
   bodies.push_back(PlaneBody("table", kHalfTable, kTableColour));
   bodies.back().X_WO = Eigen::Isometry3d::Identity();

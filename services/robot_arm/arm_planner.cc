@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "common/arms/path_planner.h"
-#include "common/arms/ur5.h"
 
 namespace cell {
 namespace {
 
+using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
+using Eigen::Vector3d;
 
 constexpr double kViaHeight = 0.22;    // [m] that a way goes over things
 constexpr double kMoved = 0.002;       // [m] a part has moved
@@ -19,19 +21,39 @@ constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
 constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
 constexpr double kGrid = 0.03;         // [m] of the free places that are tried
+constexpr int kYaws = 12;              // turns that are tried there
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
+constexpr double kApart = 0.012;       // [m] around a part that is set down
+constexpr double kNear = 0.0015;       // [m] at a grasp or a place
+constexpr double kTouching = 1e-4;     // [m]
+constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
-         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <
-             kTurned;
+         AngleAxisd(a.linear().transpose() * b.linear()).angle() < kTurned;
 }
 
-Reach::Params ReachParams(const SkillSettings& settings) {
-  Reach::Params params;
+CellLayout Alone(const CellLayout& layout, const std::string& arm) {
+  CellLayout alone = layout;
+  std::erase_if(alone.arms,
+                [&](const auto& other) { return other.name != arm; });
+  return alone;
+}
+
+// With a grip that the hand has: its first if it has not this one.
+ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
+  ArmPosture known = posture;
+  if (arm.hand.FindGrip(posture.grip) == nullptr) {
+    known.grip = arm.hand.grips.front().name;
+  }
+  return known;
+}
+
+ReachParams ReachParamsOf(const SkillSettings& settings) {
+  ReachParams params;
   params.approach = settings.motion.approach;
-  params.open_margin = settings.fingers.open_margin;
-  params.clearance = settings.motion.clearance;
+  params.open_margin = 2 * settings.fingers.open_margin;
+  params.clearance = kNear;
   return params;
 }
 
@@ -40,70 +62,102 @@ Reach::Params ReachParams(const SkillSettings& settings) {
 ArmPlanner::ArmPlanner(const Params& params)
     : params_(params),
       arm_(*params_.layout.FindArm(params.arm)),
-      scene_(params_.layout, params_.parts, params.arm),
-      reach_(scene_, params_.parts, ReachParams(params_.settings)) {
+      scene_(params_.parts, params_.layout),
+      bare_(params_.parts, Alone(params_.layout, params.arm)) {
   for (const Part& part : params_.parts.parts()) {
-    const PartShape& shape =
-        shapes_.emplace(part.name, PartShape(part)).first->second;
-    bottoms_[part.name] = shape.LowestZ(Isometry3d::Identity());
+    shapes_.emplace(part.name, PartShape(part));
   }
 }
 
-std::optional<ArmScene::Held> ArmPlanner::Held() const {
-  if (!held_) return std::nullopt;
-  return ArmScene::Held{held_->part, held_->X_GO};
+// ---- the scene
+
+void ArmPlanner::Arrange() {
+  scene_.LetGo(arm_.name);
+  scene_.PutParts(poses_);
+  if (held_) scene_.Hold(arm_.name, held_->part, held_->X_GO);
 }
 
-OrReason<Pick> ArmPlanner::PlanPick(const std::string& part,
-                                    const std::optional<PlaceGoal>& goal,
-                                    const Joints& q) const {
-  if (goal) return reach_.PickToPlace(part, *goal, q);
-  auto picks = reach_.Picks(part, q);
-  if (auto* reason = std::get_if<std::string>(&picks)) return *reason;
-  return std::get<std::vector<Pick>>(picks).front();
+void ArmPlanner::SetParts(const std::map<std::string, Isometry3d>& poses) {
+  poses_ = poses;
+  Arrange();
+  for (const auto& [name, X_WO] : poses_) {
+    if (params_.parts.Find(name)->is_fixed) bare_.PutPart(name, X_WO);
+  }
 }
 
-OrReason<Place> ArmPlanner::PlanPlace(const PlaceGoal& goal,
-                                      const Joints& q) const {
-  auto places = reach_.Places(*Held(), held_->grip, held_->width, goal, q);
-  if (auto* reason = std::get_if<std::string>(&places)) return *reason;
-  return std::get<std::vector<Place>>(places).front();
+void ArmPlanner::SetOther(const std::string& arm, const ArmPosture& posture) {
+  const ArmLayout* other = params_.layout.FindArm(arm);
+  if (other != nullptr) scene_.SetPosture(arm, Posture(*other, posture));
+}
+
+void ArmPlanner::SetHeld(const std::optional<HeldPart>& held) {
+  held_ = held;
+  Arrange();
+}
+
+Reach ArmPlanner::Reaching() const {
+  return Reach(scene_, arm_.name, ReachParamsOf(params_.settings));
+}
+
+// ---- ways
+
+OrReason<GraspChoice> ArmPlanner::PlanPick(
+    const std::string& part, const std::optional<PlaceTarget>& target,
+    const Joints& q) const {
+  if (target) {
+    const auto transfers = Reaching().Transfers(part, *target, q);
+    if (!transfers) return transfers.reason;
+    return transfers.list.front().grasp;
+  }
+  const auto grasps = Reaching().Grasps(part, q);
+  if (!grasps) return grasps.reason;
+  return grasps.list.front();
+}
+
+OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
+                                            const Joints& q) const {
+  const ArmPosture holding = Posture(arm_, {q, held_->grip, held_->width});
+  const auto places = Reaching().Placements(
+      held_->part, held_->X_GO, holding.grip, holding.opening, target, q);
+  if (!places) return "its place: " + places.reason;
+  return places.list.front();
 }
 
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
   const SkillSettings::Motion& motion = params_.settings.motion;
-  ArmScene::Question question{.clearance = motion.clearance, .held = Held()};
+  const ArmPosture posture = Posture(arm_, {from, grip, opening});
+  std::vector<Joints> vias;
+  for (const Joints& q : {from, to}) {
+    if (const auto raised = RaisedBy(kViaHeight, arm_, q)) {
+      vias.push_back(*raised);
+    }
+  }
+  vias.push_back(arm_.home);
   std::string reason;
-  const auto is_free = [&](const Joints& q) {
-    const auto hit = scene_.WhyNot({q, grip, opening}, question);
-    if (hit && reason.empty()) reason = *hit;
-    return !hit;
-  };
-  // Where it stands it stands: a touch there must not forbid to leave.
-  if (!is_free(from)) {
-    reason.clear();
-    question.clearance = 0;
+  // Where it stands it stands: what is near there must not forbid to leave.
+  for (const double clearance : {motion.clearance, kNear, kTouching}) {
+    const auto ask = AskScene(scene_, arm_.name, posture, {clearance, {}});
+    const bool is_last = clearance == kTouching;
+    if (!is_last && ask(from)) continue;
+    PathPlannerParams params;
+    params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
+    const JointPath path = PlanPath(
+        from, {to}, vias,
+        [&](const Joints& q) { return q == from ? std::nullopt : ask(q); },
+        params);
+    if (path) {
+      return JointTrajectory(
+          path.waypoints, {motion.transit_speed, motion.transit_acceleration});
+    }
+    if (reason.empty()) reason = path.reason;
   }
-  // Up, over, and down again.
-  std::vector<Joints> via = {arm_.home};
-  for (const Joints& q : {to, from}) {
-    const Isometry3d X_BF = ur5::FlangePose(q);
-    const Isometry3d X_WF = Translation3d(0, 0, kViaHeight) * arm_.X_WB * X_BF;
-    const auto above = ur5::InverseNear(arm_.X_WB.inverse() * X_WF, q, 1.5);
-    if (above) via.push_back(*above);
-  }
-  const auto path = PathPlanner({}).Find(from, to, via, is_free);
-  if (!path) {
-    return "there is no free way" + (reason.empty() ? "" : ": " + reason);
-  }
-  return JointTrajectory(*path,
-                         {motion.transit_speed, motion.transit_acceleration});
+  return "there is no free way: " + reason;
 }
 
-OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
-                                              const Joints& q) const {
+OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
+                                                const Joints& q) const {
   std::vector<Eigen::Vector2d> points;
   for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
     for (double x = area.min().x(); x <= area.max().x(); x += kGrid) {
@@ -113,40 +167,53 @@ OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
   std::ranges::stable_sort(points, {}, [&](const Eigen::Vector2d& p) {
     return (p - area.center()).norm();
   });
-  PlaceGoal goal;
-  goal.approach = params_.settings.motion.approach;
-  goal.symmetry_order = 0;  // any way round will do
-  goal.is_site = false;
+  const double bottom = shapes_.at(held_->part).LowestZ(Isometry3d::Identity());
+  // The parts' table turns those by itself that look the same all round.
+  const int num_yaws =
+      params_.parts.Find(held_->part)->symmetry_order == 0 ? 1 : kYaws;
+  PlaceTarget target;
+  target.approach = params_.settings.motion.approach;
   for (const Eigen::Vector2d& p : points) {
-    goal.X_WO =
-        Translation3d(p.x(), p.y(), kOverTable - bottoms_.at(held_->part));
-    const auto planned = PlanPlace(goal, q);
-    if (std::holds_alternative<Place>(planned)) return goal;
+    for (int i = 0; i < num_yaws; ++i) {
+      target.X_WO =
+          Translation3d(p.x(), p.y(), kOverTable - bottom) *
+          AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
+      const auto near = scene_.Neighbours(held_->part, target.X_WO, kApart);
+      if (near.size() > 1) continue;  // than the table
+      if (std::holds_alternative<PlaceChoice>(PlanPlace(target, q))) {
+        return target;
+      }
+    }
   }
   return "there is no free place on the table";
 }
 
 bool ArmPlanner::IsNearSomething(const Joints& q) const {
   return scene_
-      .WhyNot({q, "", 0}, {.clearance = params_.settings.motion.clearance})
+      .WhyBlocked(arm_.name, Posture(arm_, {q, "", 0}),
+                  {params_.settings.motion.clearance, {}})
       .has_value();
 }
 
-void ArmPlanner::SetHands(std::vector<Eigen::Vector3d> points) {
+// ---- people's hands
+
+void ArmPlanner::SetHands(std::vector<Vector3d> points) {
   hands_ = PointCloud(std::move(points));
 }
 
-bool ArmPlanner::IsHandNear(const Eigen::Vector3d& p_W) const {
-  return std::ranges::any_of(hands_.points(), [&](const Eigen::Vector3d& p) {
+bool ArmPlanner::IsHandNear(const Vector3d& p_W) const {
+  return std::ranges::any_of(hands_.points(), [&](const Vector3d& p) {
     return (p - p_W).norm() < kFromHands;
   });
 }
 
+// ---- what is within reach
+
 std::vector<std::string> ArmPlanner::Reachable() const {
   std::vector<std::string> reachable;
   for (const std::string& part : reachable_) {
-    const auto pose = scene_.poses().find(part);
-    if (pose == scene_.poses().end()) continue;
+    const auto pose = poses_.find(part);
+    if (pose == poses_.end()) continue;
     const bool is_in_hand =
         shapes_.at(part).DistanceTo(hands_, pose->second, kInHand) < kInHand;
     if (!is_in_hand) reachable.push_back(part);
@@ -154,16 +221,23 @@ std::vector<std::string> ArmPlanner::Reachable() const {
   return reachable;
 }
 
+bool ArmPlanner::IsGraspable(const std::string& part, const Isometry3d& X_WO) {
+  bare_.PutPart(part, X_WO);
+  const Reach reach(bare_, arm_.name, ReachParamsOf(params_.settings));
+  const bool is_graspable(reach.Grasps(part, arm_.home));
+  bare_.RemovePart(part);
+  return is_graspable;
+}
+
 void ArmPlanner::RefreshReachable() {
-  for (const auto& [name, X_WO] : scene_.poses()) {
+  for (const auto& [name, X_WO] : poses_) {
     if (params_.parts.Find(name)->is_fixed) continue;
     const auto known = looked_at_.find(name);
     if (known != looked_at_.end() && IsSame(known->second, X_WO)) continue;
     looked_at_.insert_or_assign(name, X_WO);
     const auto at = std::ranges::lower_bound(reachable_, name);
     const bool was = at != reachable_.end() && *at == name;
-    const bool is = !std::holds_alternative<std::string>(
-        reach_.Picks(name, arm_.home, true));
+    const bool is = IsGraspable(name, X_WO);
     if (is && !was) reachable_.insert(at, name);
     if (!is && was) reachable_.erase(at);
     return;

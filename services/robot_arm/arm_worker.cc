@@ -204,11 +204,11 @@ void ArmWorker::AddWaitForHands(std::function<Vector3d()> point) {
 }
 
 void ArmWorker::PlanInsert() {
-  const auto goal = [this] {
-    return GoalAtSite();
+  const auto target = [this] {
+    return TargetAtSite();
   };
-  if (!held_) PlanTake(goal);
-  PlanCarry(goal);
+  if (!held_) PlanTake(target);
+  PlanCarry(target);
   Add("tare", [this]() -> Todo::Made {
     is_near_ = true;
     return std::make_unique<Tare>(sensor_);
@@ -250,33 +250,33 @@ void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
   });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
-    return Line(goal_.X_WO * place_.X_turn * held_->X_GO.inverse());
+    return Line(place_.X_WO * held_->X_GO.inverse());
   });
   PlanLetGo();
   PlanGoHome();
 }
 
-void ArmWorker::PlanTake(const GoalMaker& goal) {
-  Add("plan the grasp", [this, goal]() -> Todo::Made {
-    std::optional<PlaceGoal> wanted;
-    if (goal) {
-      auto made = goal();
+void ArmWorker::PlanTake(const TargetMaker& target) {
+  Add("plan the grasp", [this, target]() -> Todo::Made {
+    std::optional<PlaceTarget> wanted;
+    if (target) {
+      auto made = target();
       if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-      wanted = std::get<PlaceGoal>(made);
+      wanted = std::get<PlaceTarget>(made);
     }
     planner_.SetHeld(std::nullopt);
     auto planned = planner_.PlanPick(request_->part, wanted, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    pick_ = std::get<Pick>(planned);
+    grasp_ = std::get<GraspChoice>(planned);
     return std::unique_ptr<SkillStage>();
   });
   AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
-  Add("open", [this] { return Fingers(pick_.opening, Until::kThere); });
-  Add("go to " + request_->part, [this] { return Transit(pick_.q_approach); });
+  Add("open", [this] { return Fingers(grasp_.opening, Until::kThere); });
+  Add("go to " + request_->part, [this] { return Transit(grasp_.q_approach); });
   AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
   Add("reach", [this] {
     is_near_ = true;
-    return Line(poses_.at(request_->part) * pick_.X_OG);
+    return Line(poses_.at(request_->part) * grasp_.X_OG);
   });
   Add(
       "close",
@@ -284,7 +284,7 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
         if (planner_.IsHandNear(poses_.at(request_->part).translation())) {
           return "a person's hand is at " + request_->part;
         }
-        return Fingers(pick_.width - params_.settings.fingers.close_beyond,
+        return Fingers(grasp_.width - params_.settings.fingers.close_beyond,
                        Until::kGripping);
       },
       [this] {
@@ -300,18 +300,18 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
       [this] { is_near_ = false; });
 }
 
-void ArmWorker::PlanCarry(const GoalMaker& goal) {
-  Add("plan the way", [this, goal]() -> Todo::Made {
-    auto made = goal();
+void ArmWorker::PlanCarry(const TargetMaker& target) {
+  Add("plan the way", [this, target]() -> Todo::Made {
+    auto made = target();
     if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-    goal_ = std::get<PlaceGoal>(made);
+    target_ = std::get<PlaceTarget>(made);
     planner_.SetHeld(held_);
-    auto planned = planner_.PlanPlace(goal_, command_->q);
+    auto planned = planner_.PlanPlace(target_, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    place_ = std::get<Place>(planned);
+    place_ = std::get<PlaceChoice>(planned);
     return std::unique_ptr<SkillStage>();
   });
-  AddWaitForHands([this] { return goal_.X_WO.translation(); });
+  AddWaitForHands([this] { return target_.X_WO.translation(); });
   Add("carry", [this] { return Transit(place_.q_approach); });
 }
 
@@ -360,32 +360,29 @@ ArmWorker::Todo::Made ArmWorker::Line(const Isometry3d& X_WG) {
 }
 
 ArmWorker::Todo::Made ArmWorker::Fingers(double opening, Until until) {
-  const std::string& grip = held_ ? held_->grip : pick_.grip;
+  const std::string& grip = held_ ? held_->grip : grasp_.grip;
   return std::make_unique<MoveFingers>(std::max(opening, 0.0), grip, until);
 }
 
-OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
+OrReason<PlaceTarget> ArmWorker::TargetAtSite() const {
   const Site& site = *params_.parts.FindSite(request_->site);
   const auto host = poses_.find(site.host);
   if (host == poses_.end()) return "nobody knows where " + site.host + " is";
-  PlaceGoal goal;
+  PlaceTarget target = TargetAt(site, host->second);
   const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
-  goal.X_WO = host->second * site.X_HS * Translation3d(aim.x(), aim.y(), 0);
-  goal.way_out = goal.X_WO.linear().col(2);
-  goal.approach = site.approach;
-  goal.symmetry_order = params_.parts.Find(request_->part)->symmetry_order;
+  target.X_WO = target.X_WO * Translation3d(aim.x(), aim.y(), 0);
   if (params_.parts.FindThread(site.type) != nullptr) {
-    goal.turn = params_.settings.turning.max_angle;
+    target.turn = -params_.settings.turning.max_angle;
   }
-  return goal;
+  return target;
 }
 
 SeatingFrames ArmWorker::FramesAtSite() const {
-  return {goal_.X_WO, held_->X_GO, place_.X_turn};
+  return {target_.X_WO, held_->X_GO, target_.X_WO.inverse() * place_.X_WO};
 }
 
 void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
-  held_ = HeldPart{name, X_GO, pick_.grip, pick_.width};
+  held_ = HeldPart{name, X_GO, grasp_.grip, grasp_.width};
   const Part& part = *params_.parts.Find(name);
   const VolumeMoments moments = MomentsOf(part.pieces);
   sensor_.Load(part.density * moments.volume, X_GO * moments.centre);
@@ -413,7 +410,7 @@ void ArmWorker::KnowHeld() {
     name = part;
   }
   if (name.empty()) return;
-  pick_.width = reading_.opening;
+  grasp_.width = reading_.opening;
   Hold(name, X_WG.inverse() * poses_.at(name));
 }
 

@@ -69,7 +69,7 @@ class ArmWorker {
     std::function<void()> then;  ///< when it is done; may be empty
   };
 
-  using GoalMaker = std::function<OrReason<PlaceGoal>()>;
+  using TargetMaker = std::function<OrReason<PlaceTarget>()>;
   using Until = MoveFingers::Until;
 
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
@@ -86,8 +86,8 @@ class ArmWorker {
   void PlanPresent();
   void PlanPutDown();
   void PlanSetDown(const Eigen::AlignedBox2d& area);
-  void PlanTake(const GoalMaker& goal);
-  void PlanCarry(const GoalMaker& goal);
+  void PlanTake(const TargetMaker& target);
+  void PlanCarry(const TargetMaker& target);
   void PlanLetGo();
   void PlanDrawBack();
   void PlanGoHome();
@@ -95,7 +95,7 @@ class ArmWorker {
   Todo::Made Transit(const Joints& q);
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
   Todo::Made Fingers(double opening, Until until);
-  OrReason<PlaceGoal> GoalAtSite() const;
+  OrReason<PlaceTarget> TargetAtSite() const;
   SeatingFrames FramesAtSite() const;
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
@@ -112,9 +112,9 @@ class ArmWorker {
   std::deque<Todo> todos_;
   std::unique_ptr<SkillStage> stage_;  // of the first of them
   std::string phase_;
-  Pick pick_;             // of the part that is taken
-  PlaceGoal goal_;        // of the part that is put down
-  Place place_;           // there
+  GraspChoice grasp_;     // of the part that is taken
+  PlaceTarget target_;    // of the part that is put down
+  PlaceChoice place_;     // there
   bool is_near_ = false;  // among things: it draws back before it turns away
   double peak_force_ = 0;
   bool has_moved_ = false;

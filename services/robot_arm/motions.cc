@@ -38,7 +38,7 @@ FollowTrajectory::FollowTrajectory(JointTrajectory trajectory)
 SkillStage::State FollowTrajectory::Step(const ArmReading& reading, double dt,
                                          ArmCommand* command) {
   time_ += dt;
-  command->q = trajectory_.At(time_).position;
+  command->q = trajectory_.At(time_).q;
   if (time_ < trajectory_.duration()) return State::kRunning;
   settling_ += dt;
   const bool is_over = settling_ >= kSettleTime &&

@@ -23,7 +23,7 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message) {
     reading.q[i] = message.position[i];
     reading.dq[i] = message.velocity[i];
     if (!(std::abs(reading.q[i]) <= ur5::kJointLimit) ||
-        !(std::abs(reading.dq[i]) <= 2 * ur5::kJointSpeed)) {
+        !(std::abs(reading.dq[i]) <= 2 * ur5::kSpeedLimit)) {
       return std::nullopt;
     }
   }

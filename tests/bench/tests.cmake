@@ -13,3 +13,9 @@ target_compile_definitions(watching_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(watching_bench PRIVATE cell_tracker cell_sec_builder
   cell_recognizer benchmark::benchmark cell_warnings)
+add_executable(arms_bench bench/arms_bench.cc)
+target_include_directories(arms_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(arms_bench PRIVATE
+  CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(arms_bench PRIVATE cell_arms cell_tracker
+  benchmark::benchmark cell_warnings)
