@@ -6,6 +6,7 @@
 
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/skill_result_t.hpp"
+#include "common/arms/cell_check.h"
 #include "common/arms/ur5.h"
 #include "common/sec/track.h"
 
@@ -234,6 +235,7 @@ std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
   if (layout.FindArm(instance) == nullptr) {
     layout_config["arms"].Fail("there is no arm '" + instance + "'");
   }
+  CheckCell(layout_config, parts, layout);
   const SkillSettings settings =
       SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), parts);
   return std::make_unique<RobotArm>(
