@@ -26,6 +26,7 @@ constexpr double kOverTable = 0.0005;  // [m] a part is set down from
 constexpr double kApart = 0.012;       // [m] around a part that is set down
 constexpr double kNear = 0.0015;       // [m] at a grasp or a place
 constexpr double kTouching = 1e-4;     // [m]
+constexpr int kMaxTouching = 12;       // pairs
 constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
@@ -47,6 +48,35 @@ ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
     known.grip = arm.hand.grips.front().name;
   }
   return known;
+}
+
+// Straight, or through one via, or through two.
+std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
+                                             const Joints& to,
+                                             const std::vector<Joints>& vias,
+                                             const WhyBlockedAt& why_blocked,
+                                             const PathPlannerParams& params) {
+  const auto is_free = [&](const Joints& a, const Joints& b) {
+    return !WhyEdgeBlocked(a, b, why_blocked, params);
+  };
+  if (why_blocked(to)) return std::nullopt;
+  if (is_free(from, to)) return std::vector<Joints>{from, to};
+  std::vector<Joints> before, after;
+  for (const Joints& via : vias) {
+    if (is_free(from, via)) before.push_back(via);
+    if (is_free(via, to)) after.push_back(via);
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (a == b) return std::vector<Joints>{from, a, to};
+    }
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (is_free(a, b)) return std::vector<Joints>{from, a, b, to};
+    }
+  }
+  return std::nullopt;
 }
 
 ReachParams ReachParamsOf(const SkillSettings& settings) {
@@ -123,6 +153,22 @@ OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
   return places.list.front();
 }
 
+// What touches, by its names in the reasons of the scene.
+std::vector<std::pair<std::string, std::string>> ArmPlanner::Touching(
+    const ArmPosture& posture) const {
+  constexpr std::string_view kHits = " would hit ";
+  ClearanceRule rule{kTouching, {}};
+  for (int i = 0; i < kMaxTouching; ++i) {
+    const auto why = scene_.WhyBlocked(arm_.name, posture, rule);
+    if (!why) break;
+    const size_t at = why->find(kHits);
+    std::string other = why->substr(at + kHits.size());
+    if (other == "the table") other = "table";
+    rule.allowed.emplace_back(why->substr(0, at), other);
+  }
+  return rule.allowed;
+}
+
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
@@ -138,15 +184,21 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
   std::string reason;
   // Where it stands it stands: what is near there must not forbid to leave.
   for (const double clearance : {motion.clearance, kNear, kTouching}) {
-    const auto ask = AskScene(scene_, arm_.name, posture, {clearance, {}});
+    ClearanceRule rule{clearance, {}};
+    if (clearance == kTouching) rule.allowed = Touching(posture);
+    const auto ask = AskScene(scene_, arm_.name, posture, rule);
     const bool is_last = clearance == kTouching;
     if (!is_last && ask(from)) continue;
     PathPlannerParams params;
     params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
-    const JointPath path = PlanPath(
-        from, {to}, vias,
-        [&](const Joints& q) { return q == from ? std::nullopt : ask(q); },
-        params);
+    const auto why_blocked = [&](const Joints& q) {
+      return q == from ? std::nullopt : ask(q);
+    };
+    if (const auto path = UpAndOver(from, to, vias, why_blocked, params)) {
+      return JointTrajectory(
+          *path, {motion.transit_speed, motion.transit_acceleration});
+    }
+    const JointPath path = PlanPath(from, {to}, vias, why_blocked, params);
     if (path) {
       return JointTrajectory(
           path.waypoints, {motion.transit_speed, motion.transit_acceleration});

@@ -77,6 +77,8 @@ class ArmPlanner {
  private:
   /// Puts all where it is.
   void Arrange();
+  std::vector<std::pair<std::string, std::string>> Touching(
+      const ArmPosture& posture) const;
   Reach Reaching() const;
   bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
 
