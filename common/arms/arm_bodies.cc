@@ -159,6 +159,14 @@ bool MayCollide(size_t body_a, size_t body_b) {
   return outer - inner > (is_wrist ? 2u : 1u);
 }
 
+Part PedestalBody(const CellLayout::Pedestal& pedestal) {
+  Eigen::Vector3d half_extents;
+  half_extents << pedestal.size / 2, pedestal.height / 2;
+  Piece box = Box(half_extents);
+  box.X_OP.translation().z() = -half_extents.z();
+  return Body("pedestal", {box}, kPlinthColour);
+}
+
 Isometry3d GripperPose(const ArmLayout& arm, const Joints& q) {
   return arm.X_WB * ur5::FlangePose(q) * arm.X_FG;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/layout/arm_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
 namespace cell {
@@ -43,6 +43,9 @@ inline constexpr size_t kPlinthBody = 0, kBaseBody = 1, kFirstLinkBody = 2;
 /// True if two bodies of one arm, by their indices in BodyPartsOf(), may hit
 /// each other: neighbours, and the boxes of a hand among themselves, do not.
 bool MayCollide(size_t body_a, size_t body_b);
+
+/// The box that the fixed parts stand on, "pedestal", in its frame P.
+Part PedestalBody(const CellLayout::Pedestal& pedestal);
 
 /// X_WG of an arm.
 Eigen::Isometry3d GripperPose(const ArmLayout& arm, const Joints& q);

@@ -15,17 +15,8 @@ using Eigen::Vector3d;
 
 constexpr char kTable[] = "table";
 constexpr char kPedestal[] = "pedestal";
-constexpr double kMinClearance = 1e-4;  // [m] what counts as touching
-
-Part PedestalPart(const CellLayout::Pedestal& pedestal) {
-  Part part;
-  part.name = kPedestal;
-  Piece piece;
-  piece.half_extents << pedestal.size / 2, pedestal.height / 2;
-  piece.X_OP.translation().z() = -pedestal.height / 2;
-  part.pieces = {piece};
-  return part;
-}
+constexpr double kMinClearance = 1e-4;    // [m] what counts as touching
+constexpr double kGraspedWithin = 0.015;  // [m] of every finger
 
 // "gripper_right" of "gripper_right.palm".
 std::string OwnerOf(const std::string& body) {
@@ -57,7 +48,7 @@ struct ArmScene::Shapes {
   Shapes(const PartTable& table, const CellLayout& cell_layout)
       : parts(table),
         layout(cell_layout),
-        pedestal(PedestalPart(layout.pedestal)) {
+        pedestal(PedestalBody(layout.pedestal)) {
     for (const Part& part : parts.parts()) part_solids.emplace_back(part);
     for (const ArmLayout& arm : layout.arms) {
       std::vector<Solid>& solids = arm_solids.emplace_back();
@@ -270,6 +261,37 @@ std::vector<std::string> ArmScene::Neighbours(const std::string& part,
   }
   if (shape.LowestZ(X_WO) < distance) names.emplace_back(kTable);
   return names;
+}
+
+std::optional<std::string> ArmScene::FindGrasped(
+    const std::string& arm, const ArmPosture& posture) const {
+  const size_t index = ArmIndex(arm);
+  const ArmLayout& its_layout = layout().arms[index];
+  const std::vector<Isometry3d> X_WB = BodyPosesOf(its_layout, posture);
+  const auto& places = its_layout.hand.FindGrip(posture.grip)->places;
+  const auto farthest_finger = [&](size_t part) {
+    double farthest = 0;
+    for (size_t i = 0; i < places.size(); ++i) {
+      if (!HandType::IsFinger(places[i])) continue;
+      const size_t body = kNumArmBodies + i;
+      farthest = std::max(
+          farthest,
+          PartShape::Distance(shapes_->arm_solids[index][body].shape,
+                              X_WB[body], shapes_->part_solids[part].shape,
+                              *X_WO_[part], kGraspedWithin));
+    }
+    return farthest;
+  };
+  double nearest = kGraspedWithin;
+  std::optional<std::string> grasped;
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (!X_WO_[i] || parts().parts()[i].is_fixed) continue;
+    const double farthest = farthest_finger(i);
+    if (farthest >= nearest) continue;
+    nearest = farthest;
+    grasped = parts().parts()[i].name;
+  }
+  return grasped;
 }
 
 const ArmPosture& ArmScene::PostureOf(const std::string& arm) const {

@@ -58,6 +58,10 @@ class ArmScene {
   std::vector<std::string> Neighbours(const std::string& part,
                                       const Eigen::Isometry3d& X_WO,
                                       double distance) const;
+  /// What the arm's fingers grip if it stands so: the part, neither fixed nor
+  /// held, that the farthest of them is nearest to.
+  std::optional<std::string> FindGrasped(const std::string& arm,
+                                         const ArmPosture& posture) const;
 
   const ArmPosture& PostureOf(const std::string& arm) const;
   /// Nothing if it is not there, or held.

@@ -34,22 +34,40 @@ SimBus::SimBus(const Roster& roster,
                std::vector<Outage> outages, std::vector<TimedCommand> commands)
     : roster_(roster),
       factories_(std::move(factories)),
-      outages_(std::move(outages)),
       commands_(std::move(commands)),
       host_(roster_, FactoryOf(factories_, roster_.entries[0].name)),
       clock_(roster_, kRun),
       seats_(roster_.entries.size()) {
-  for (const Outage& outage : outages_) {
-    if (roster_.IndexOf(outage.service).value_or(0) == 0 ||
-        outage.join_tick < outage.death_tick || outage.death_tick < 0) {
-      throw std::invalid_argument("impossible outage of '" + outage.service +
-                                  "' at tick " +
-                                  std::to_string(outage.death_tick));
-    }
-  }
+  for (const Outage& outage : outages) Add(outage);
   for (size_t i = 1; i < seats_.size(); ++i) {
     NewLife(i, 0);
   }
+}
+
+void SimBus::Add(const Outage& outage) {
+  if (roster_.IndexOf(outage.service).value_or(0) == 0 ||
+      outage.join_tick < outage.death_tick || outage.death_tick < 0) {
+    throw std::invalid_argument("impossible outage of '" + outage.service +
+                                "' at tick " +
+                                std::to_string(outage.death_tick));
+  }
+  outages_.push_back(outage);
+}
+
+void SimBus::Schedule(const Outage& outage) {
+  if (outage.death_tick <= clock_.tick()) {
+    throw std::invalid_argument("an outage of '" + outage.service +
+                                "' in a tick that is over");
+  }
+  Add(outage);
+}
+
+void SimBus::Schedule(const TimedCommand& command) {
+  if (command.tick <= clock_.tick()) {
+    throw std::invalid_argument("a command on '" + command.command.channel +
+                                "' in a tick that is over");
+  }
+  commands_.push_back(command);
 }
 
 bool SimBus::Step() {

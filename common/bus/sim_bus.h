@@ -37,6 +37,12 @@ class SimBus {
          std::vector<Outage> outages = {},
          std::vector<TimedCommand> commands = {});
 
+  /// For a test that finds the moment while the cell runs: in a later tick than
+  /// the last one. @throws std::invalid_argument like the constructor, or if it
+  /// is too late.
+  void Schedule(const Outage& outage);
+  void Schedule(const TimedCommand& command);
+
   /// Makes the next tick; false once the last one has been made.
   bool Step();
 
@@ -56,6 +62,7 @@ class SimBus {
     int32_t until = -1;
   };
 
+  void Add(const Outage& outage);
   void BeginOutagesAndLives(int32_t tick);
   void NewLife(size_t index, int32_t tick);
   void Handle(size_t index, const tick_t& tick,

@@ -19,6 +19,7 @@ void AddReplay(CLI::App& app, Action* action);
 void AddDiff(CLI::App& app, Action* action);
 void AddEval(CLI::App& app, Action* action);
 void AddView(CLI::App& app, Action* action);
+void AddCheck(CLI::App& app, Action* action);
 void AddEpisode(CLI::App& app, Action* action);
 void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);

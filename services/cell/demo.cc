@@ -35,7 +35,7 @@ struct PlannedKill {
 };
 
 PlannedKill ParseKill(const std::string& text, const Roster& roster) {
-  const size_t at = text.find('@');
+  const size_t at = text.rfind('@');  // names may have one, too
   if (at != std::string::npos) {
     PlannedKill kill{text.substr(0, at), 0};
     const std::string tick = text.substr(at + 1);

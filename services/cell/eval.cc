@@ -26,15 +26,27 @@ struct EvalOptions {
   std::string json_file;
   std::string rows_file;
   bool is_resumed = false;
+  std::string sensing;
 };
 
 std::string KeyOf(const Trial& trial) {
   return fmt::format("{}/{}", trial.group, trial.seed);
 }
 
-void RunMissing(const EvalOptions& options, const std::vector<Trial>& trials,
-                RowStore* rows) {
-  const CellFiles files = FindCellFiles(options.deploy_dir);
+/// The files to run by. What is asked for must be what they say.
+CellFiles FilesFor(const EvalOptions& options) {
+  CellFiles files = FindCellFiles(options.deploy_dir);
+  const Config tracker = files.deployment.ForService("tracker");
+  const auto sensing = tracker.Get<std::string>("sensing");
+  if (!options.sensing.empty() && options.sensing != sensing) {
+    tracker["sensing"].Fail(
+        fmt::format("is {}, but {} is asked for", sensing, options.sensing));
+  }
+  return files;
+}
+
+void RunMissing(const EvalOptions& options, const CellFiles& files,
+                const std::vector<Trial>& trials, RowStore* rows) {
   std::vector<size_t> missing;
   for (size_t i = 0; i < trials.size(); ++i) {
     if (!rows->Has(KeyOf(trials[i]))) missing.push_back(i);
@@ -77,6 +89,20 @@ json ToJson(const Measure& measure, uint64_t seed) {
           {"seed", seed}};
 }
 
+json ToJson(const Figure& figure, uint64_t seed) {
+  return {{"figure", figure.name},
+          {"value", figure.value},
+          {"unit", figure.unit},
+          {"seed", seed}};
+}
+
+void Print(const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) {
+    std::cout << fmt::format("{:66} {:17.1f} {}\n", figure.name, figure.value,
+                             figure.unit);
+  }
+}
+
 void Print(const std::vector<Measure>& measures) {
   std::cout << fmt::format("{:66} {:>9} {:>7}  {:15} {:>6} {:>5}\n", "measure",
                            "of", "value", "95 % interval", "paper", "goal");
@@ -92,6 +118,7 @@ void Print(const std::vector<Measure>& measures) {
 }
 
 int RunEval(const EvalOptions& options) {
+  const CellFiles files = FilesFor(options);
   const int runs =
       options.runs > 0 ? options.runs : options.evaluation->default_runs();
   const auto trials = options.evaluation->Trials(runs, options.seed);
@@ -101,19 +128,24 @@ int RunEval(const EvalOptions& options) {
                         options.seed)
           : options.rows_file;
   RowStore store(path, options.is_resumed);
-  RunMissing(options, trials, &store);
+  RunMissing(options, files, trials, &store);
 
   std::vector<json> rows;
   for (const Trial& trial : trials) {
     if (store.Has(KeyOf(trial))) rows.push_back(store.At(KeyOf(trial)));
   }
   const auto measures = options.evaluation->Measures(rows);
+  const auto figures = options.evaluation->Figures(rows);
   Print(measures);
+  Print(figures);
   bool is_met = rows.size() == trials.size();
   json report = json::array();
   for (const Measure& measure : measures) {
     report.push_back(ToJson(measure, options.seed));
     is_met &= measure.is_met();
+  }
+  for (const Figure& figure : figures) {
+    report.push_back(ToJson(figure, options.seed));
   }
   if (!options.json_file.empty()) {
     std::ofstream(options.json_file) << report.dump(2) << "\n";
@@ -155,6 +187,8 @@ void AddEval(CLI::App& app, Action* action) {
                         "one row a run (default: runs/eval-...)");
     command->add_flag("--resume", options->is_resumed,
                       "keep the rows that are there, run the others");
+    command->add_option("--sensing", options->sensing,
+                        "must be what tracker.yaml says (default: that)");
     command->callback([=] {
       *action = [=] {
         return RunEval(*options);

@@ -26,6 +26,13 @@ struct Measure {
   bool is_met() const { return num_all > 0 && value() >= goal; }
 };
 
+/// A number that an evaluation reports beside its measures.
+struct Figure {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+
 /// One run of an evaluation.
 struct Trial {
   std::string group;
@@ -46,6 +53,10 @@ class Evaluation {
                                   const Roster& roster) const = 0;
   virtual std::vector<Measure> Measures(
       const std::vector<nlohmann::json>& rows) const = 0;
+  virtual std::vector<Figure> Figures(
+      const std::vector<nlohmann::json>& /*rows*/) const {
+    return {};
+  }
 };
 
 /// Everything that `cell eval` knows.

@@ -13,8 +13,8 @@ int main(int argc, char** argv) {
   cell::Action action;
   for (const auto add :
        {cell::AddDemo, cell::AddSim, cell::AddReplay, cell::AddDiff,
-        cell::AddEval, cell::AddView, cell::AddEpisode, cell::AddHold,
-        cell::AddResume, cell::AddGoal}) {
+        cell::AddEval, cell::AddView, cell::AddCheck, cell::AddEpisode,
+        cell::AddHold, cell::AddResume, cell::AddGoal}) {
     add(app, &action);
   }
   try {

@@ -5,6 +5,7 @@
 
 #include "common/bus/sim_bus.h"
 #include "services/cell/episode_score.h"
+#include "services/cell/row_measures.h"
 #include "services/cell/service_registry.h"
 
 namespace cell {
@@ -83,57 +84,35 @@ class WatchEvaluation final : public Evaluation {
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {
-        Share(rows, "valid", "steps recognised with the right arguments",
-              "steps_recognised", "steps"),
-        Runs(rows, "valid", "runs all recognised, none invented, no alarm",
-             [](const json& row) {
-               return row.at("steps_recognised") == row.at("steps") &&
-                      row.at("invented") == 0 && row.at("false_alarms") == 0 &&
-                      row.at("goal_reached") == true;
-             }),
-        Share(rows, "taken_back", "take-backs named as the reverse",
-              "take_backs_named", "take_backs"),
-        Share(rows, "taken_back", "take-backs with exactly one warning",
-              "take_backs_warned", "take_backs"),
-        Share(rows, "taken_back", "unknown moves named unknown", "moves_named",
-              "moves"),
-        Runs(rows, "taken_back",
-             "runs all named, none invented, no false alarm",
-             [](const json& row) {
-               return row.at("steps_recognised") == row.at("steps") &&
-                      row.at("invented") == 0 && row.at("false_alarms") == 0;
-             }),
-        Share(rows, "mistake", "planted mistakes caught within one key frame",
-              "mistakes_caught", "mistakes"),
-        Runs(rows, "mistake", "runs with a planted mistake and no false alarm",
-             [](const json& row) {
-               return row.at("mistakes") > 0 && row.at("false_alarms") == 0;
-             }),
+        ShareOf(rows, "valid", "steps recognised with the right arguments",
+                "steps_recognised", "steps"),
+        RunsOf(rows, "valid", "runs all recognised, none invented, no alarm",
+               [](const json& row) {
+                 return row.at("steps_recognised") == row.at("steps") &&
+                        row.at("invented") == 0 &&
+                        row.at("false_alarms") == 0 &&
+                        row.at("goal_reached") == true;
+               }),
+        ShareOf(rows, "taken_back", "take-backs named as the reverse",
+                "take_backs_named", "take_backs"),
+        ShareOf(rows, "taken_back", "take-backs with exactly one warning",
+                "take_backs_warned", "take_backs"),
+        ShareOf(rows, "taken_back", "unknown moves named unknown",
+                "moves_named", "moves"),
+        RunsOf(rows, "taken_back",
+               "runs all named, none invented, no false alarm",
+               [](const json& row) {
+                 return row.at("steps_recognised") == row.at("steps") &&
+                        row.at("invented") == 0 && row.at("false_alarms") == 0;
+               }),
+        ShareOf(rows, "mistake", "planted mistakes caught within one key frame",
+                "mistakes_caught", "mistakes"),
+        RunsOf(rows, "mistake",
+               "runs with a planted mistake and no false alarm",
+               [](const json& row) {
+                 return row.at("mistakes") > 0 && row.at("false_alarms") == 0;
+               }),
     };
-  }
-
- private:
-  static Measure Share(const std::vector<json>& rows, const char* group,
-                       const char* what, const char* good, const char* all) {
-    Measure measure{.name = std::string(group) + ": " + what};
-    for (const json& row : rows) {
-      if (row.at("group") != group) continue;
-      measure.num_good += row.at(good).get<int>();
-      measure.num_all += row.at(all).get<int>();
-    }
-    return measure;
-  }
-
-  template <class Predicate>
-  static Measure Runs(const std::vector<json>& rows, const char* group,
-                      const char* what, Predicate is_good) {
-    Measure measure{.name = std::string(group) + ": " + what};
-    for (const json& row : rows) {
-      if (row.at("group") != group) continue;
-      measure.num_good += is_good(row);
-      ++measure.num_all;
-    }
-    return measure;
   }
 };
 
@@ -141,12 +120,6 @@ class WatchEvaluation final : public Evaluation {
 
 std::unique_ptr<Evaluation> MakeWatchEvaluation() {
   return std::make_unique<WatchEvaluation>();
-}
-
-std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
-  std::vector<std::unique_ptr<Evaluation>> all;
-  all.push_back(MakeWatchEvaluation());
-  return all;
 }
 
 }  // namespace cell

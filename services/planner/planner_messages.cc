@@ -86,7 +86,9 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
 std::optional<DoneAction> FromMessage(const action_t& message,
                                       const Domain& domain) {
   const std::optional<int> part = domain.vocabulary().FindObject(message.part);
-  if (!part || message.index < 0 || message.pick_key_frame < 0 ||
+  constexpr int64_t kMaxUtime = int64_t{1} << 60;  // sums stay in range
+  if (!part || message.index < 0 || message.header.utime < 0 ||
+      message.header.utime > kMaxUtime || message.pick_key_frame < 0 ||
       message.place_key_frame < message.pick_key_frame) {
     return std::nullopt;
   }

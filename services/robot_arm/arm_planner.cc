@@ -28,6 +28,7 @@ constexpr double kNear = 0.0015;       // [m] at a grasp or a place
 constexpr double kTouching = 1e-4;     // [m]
 constexpr int kMaxTouching = 12;       // pairs
 constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
+constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
@@ -125,6 +126,11 @@ void ArmPlanner::SetHeld(const std::optional<HeldPart>& held) {
   Arrange();
 }
 
+std::optional<std::string> ArmPlanner::FindGrasped(
+    const ArmPosture& posture) const {
+  return scene_.FindGrasped(arm_.name, Posture(arm_, posture));
+}
+
 Reach ArmPlanner::Reaching() const {
   return Reach(scene_, arm_.name, ReachParamsOf(params_.settings));
 }
@@ -169,6 +175,14 @@ std::vector<std::pair<std::string, std::string>> ArmPlanner::Touching(
   return rule.allowed;
 }
 
+/// [m] of the gripper beyond where ways stay.
+double ArmPlanner::OverBorder(const Joints& q) const {
+  const Vector3d margin = Vector3d::Constant(kInside);
+  const Eigen::AlignedBox3d inside(arm_.workspace.min() + margin,
+                                   arm_.workspace.max() - margin);
+  return inside.exteriorDistance(GripperPose(arm_, q).translation());
+}
+
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
@@ -181,6 +195,8 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     }
   }
   vias.push_back(arm_.home);
+  // It may begin and end nearer to the border, but goes no further out.
+  const double border = std::max(OverBorder(from), OverBorder(to));
   std::string reason;
   // Where it stands it stands: what is near there must not forbid to leave.
   for (const double clearance : {motion.clearance, kNear, kTouching}) {
@@ -191,8 +207,12 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     if (!is_last && ask(from)) continue;
     PathPlannerParams params;
     params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
-    const auto why_blocked = [&](const Joints& q) {
-      return q == from ? std::nullopt : ask(q);
+    const auto why_blocked =
+        [&](const Joints& q) -> std::optional<std::string> {
+      if (q == from) return std::nullopt;
+      if (OverBorder(q) > border)
+        return "the gripper would leave its workspace";
+      return ask(q);
     };
     if (const auto path = UpAndOver(from, to, vias, why_blocked, params)) {
       return JointTrajectory(

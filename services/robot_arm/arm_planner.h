@@ -47,6 +47,8 @@ class ArmPlanner {
   void SetHeld(const std::optional<HeldPart>& held);
   /// Points on persons' hands [in W].
   void SetHands(std::vector<Eigen::Vector3d> points);
+  /// The part that all fingers touch.
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
 
   /// With a target: so that the part can also be placed there.
   OrReason<GraspChoice> PlanPick(const std::string& part,
@@ -80,6 +82,7 @@ class ArmPlanner {
   std::vector<std::pair<std::string, std::string>> Touching(
       const ArmPosture& posture) const;
   Reach Reaching() const;
+  double OverBorder(const Joints& q) const;
   bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
 
   Params params_;

@@ -13,6 +13,7 @@ struct ArmReading {
   Joints q = Joints::Zero();   ///< [rad]
   Joints dq = Joints::Zero();  ///< [rad/s]
   double opening = 0;          ///< [m]
+  std::string stance;          ///< of the fingers: a grip of the hand's type
   bool is_gripping = false;
   bool is_stopped = false;  ///< protective stop
   /// In S, as read: with bias and weights. Nothing: no sensor, or it is silent.

@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kPatience = 15;        // [s] with people's hands
-constexpr double kHeldWithin = 0.15;    // [m] of G: what the fingers hold
+constexpr double kStill = 1e-3;         // [rad/s]
+constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
@@ -60,6 +61,10 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   peak_force_ = 0;
   has_moved_ = false;
   failure_.clear();
+  // What an earlier life has left it at: by now it is known where parts are.
+  if (!std::exchange(knows_place_, true)) {
+    is_near_ = planner_.IsNearSomething(command_->q);
+  }
   if (is_near_) PlanDrawBack();
   switch (request.kind) {
     case SkillRequest::Kind::kInsert:
@@ -100,10 +105,9 @@ std::optional<std::string> ArmWorker::WhyNot(
 
 ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   reading_ = reading;
-  if (!command_) {
-    command_ = ArmCommand{reading.q, reading.opening, ""};
-    is_near_ = planner_.IsNearSomething(reading.q);
-  }
+  if (!command_)
+    command_ = ArmCommand{reading.q, reading.opening, reading.stance};
+  still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
   planner_.RefreshReachable();
@@ -114,7 +118,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
   rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (request_) Advance(rate_ * dt);
+  if (request_ && !is_frozen_) Advance(rate_ * dt);
   return *command_;
 }
 
@@ -244,10 +248,7 @@ void ArmWorker::PlanPutDown() {
 }
 
 void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
-  PlanCarry([this, area] {
-    planner_.SetHeld(held_);
-    return planner_.FindFreePlace(area, command_->q);
-  });
+  PlanCarry([this, area] { return planner_.FindFreePlace(area, command_->q); });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
     return Line(place_.X_WO * held_->X_GO.inverse());
@@ -294,18 +295,17 @@ void ArmWorker::PlanTake(const TargetMaker& target) {
   Add(
       "lift",
       [this] {
-        return Line(Translation3d(0, 0, params_.settings.motion.raise) *
-                    kinematics_.GripperPose(command_->q));
+        return LineBy(params_.settings.motion.raise * Vector3d::UnitZ());
       },
       [this] { is_near_ = false; });
 }
 
 void ArmWorker::PlanCarry(const TargetMaker& target) {
   Add("plan the way", [this, target]() -> Todo::Made {
+    planner_.SetHeld(held_);
     auto made = target();
     if (auto* reason = std::get_if<std::string>(&made)) return *reason;
     target_ = std::get<PlaceTarget>(made);
-    planner_.SetHeld(held_);
     auto planned = planner_.PlanPlace(target_, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
     place_ = std::get<PlaceChoice>(planned);
@@ -333,8 +333,8 @@ void ArmWorker::PlanDrawBack() {
   Add(
       "draw back",
       [this] {
-        return Line(kinematics_.GripperPose(command_->q) *
-                    Translation3d(0, 0, params_.settings.motion.approach));
+        return LineBy(params_.settings.motion.approach *
+                      kinematics_.GripperPose(command_->q).linear().col(2));
       },
       [this] { is_near_ = false; });
 }
@@ -354,6 +354,21 @@ ArmWorker::Todo::Made ArmWorker::Transit(const Joints& q) {
       std::get<JointTrajectory>(std::move(planned)));
 }
 
+/// As far that way [m, in W] as the arm can go.
+ArmWorker::Todo::Made ArmWorker::LineBy(const Vector3d& way_W) {
+  constexpr int kNumSteps = 20;
+  Isometry3d X_WG = kinematics_.GripperPose(command_->q);
+  Joints q = command_->q;
+  for (int i = 0; i < kNumSteps; ++i) {
+    const Isometry3d next = Translation3d(way_W / kNumSteps) * X_WG;
+    const auto solution = kinematics_.JointsNear(next, q);
+    if (!solution) break;
+    q = *solution;
+    X_WG = next;
+  }
+  return Line(X_WG);
+}
+
 ArmWorker::Todo::Made ArmWorker::Line(const Isometry3d& X_WG) {
   return std::make_unique<MoveOnLine>(kinematics_, X_WG,
                                       params_.settings.motion.line_speed);
@@ -370,7 +385,8 @@ OrReason<PlaceTarget> ArmWorker::TargetAtSite() const {
   if (host == poses_.end()) return "nobody knows where " + site.host + " is";
   PlaceTarget target = TargetAt(site, host->second);
   const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
-  target.X_WO = target.X_WO * Translation3d(aim.x(), aim.y(), 0);
+  target.X_WO = target.X_WO * params_.settings.aim_error.Of(request_->id) *
+                Translation3d(aim.x(), aim.y(), 0);
   if (params_.parts.FindThread(site.type) != nullptr) {
     target.turn = -params_.settings.turning.max_angle;
   }
@@ -398,20 +414,14 @@ void ArmWorker::KnowHeld() {
     if (request_) OnFailure(lost);
     return;
   }
-  if (held_ || request_ || reading_.dq.cwiseAbs().maxCoeff() > 1e-3) return;
-  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
-  double nearest = kHeldWithin;
-  std::string name;
-  for (const auto& [part, X_WO] : poses_) {
-    if (params_.parts.Find(part)->is_fixed) continue;
-    const double distance = (X_WO.translation() - X_WG.translation()).norm();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    name = part;
-  }
-  if (name.empty()) return;
+  if (held_ || request_ || still_ < kLookTime) return;
+  const auto part =
+      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+  if (!part) return;
+  grasp_.grip = reading_.stance;
   grasp_.width = reading_.opening;
-  Hold(name, X_WG.inverse() * poses_.at(name));
+  const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
+  Hold(*part, X_WG.inverse() * poses_.at(*part));
 }
 
 }  // namespace cell

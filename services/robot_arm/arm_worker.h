@@ -94,6 +94,7 @@ class ArmWorker {
 
   Todo::Made Transit(const Joints& q);
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
+  Todo::Made LineBy(const Eigen::Vector3d& way_W);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceTarget> TargetAtSite() const;
   SeatingFrames FramesAtSite() const;
@@ -106,6 +107,7 @@ class ArmWorker {
   ArmPlanner planner_;
   std::map<std::string, Eigen::Isometry3d> poses_;
   ArmReading reading_;
+  double still_ = 0;  // [s] that it has been at rest
   std::optional<ArmCommand> command_;
   std::optional<HeldPart> held_;
   std::optional<SkillRequest> request_;
@@ -116,6 +118,7 @@ class ArmWorker {
   PlaceTarget target_;    // of the part that is put down
   PlaceChoice place_;     // there
   bool is_near_ = false;  // among things: it draws back before it turns away
+  bool knows_place_ = false;  // whether it is near, from its first skill on
   double peak_force_ = 0;
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from

@@ -24,6 +24,7 @@ constexpr int kMaxSpirals = 4;
 constexpr double kMaxTurn = 0.12;    // [rad] of the compliance
 constexpr double kMaxDrift = 0.008;  // [m]
 constexpr double kYawPeriod = 0.7, kTiltPeriod = 0.9;  // [s]
+constexpr double kDitherRise = 0.15;  // [s] from none to all of it, and back
 
 template <class V>
 V Limited(const V& v, double length) {
@@ -62,6 +63,7 @@ Insertion::State Insertion::Step(const ContactWrench& contact, double height,
   MoveDown(contact, dt);
   Comply(contact, dt);
   Search(height, dt);
+  Dither(dt);
   return state_;
 }
 
@@ -105,7 +107,8 @@ void Insertion::Watch(const ContactWrench& contact, double height, double dt) {
   }
   stall_time_ += dt;
   if (stall_time_ < kStallTime) return;
-  if (std::abs(height - params_.end_height) <= params_.tolerance) {
+  const double left = height - params_.end_height;
+  if (left <= params_.tolerance && left >= -params_.tolerance - params_.give) {
     state_ = State::kDone;
     return;
   }
@@ -144,6 +147,13 @@ void Insertion::Search(double height, double dt) {
   }
 }
 
+/// Comes and goes gently: a joint cannot jump.
+void Insertion::Dither(double dt) {
+  const bool is_stalled = stall_time_ > 0 || spiral_angle_ >= 0;
+  const double step = dt / kDitherRise;
+  dither_ = std::clamp(dither_ + (is_stalled ? step : -step), 0.0, 1.0);
+}
+
 Eigen::Isometry3d Insertion::X_SO() const {
   Vector2d offset = base_ + spring_ + drift_;
   Vector3d turn = turn_spring_ + turn_drift_;
@@ -153,12 +163,10 @@ Eigen::Isometry3d Insertion::X_SO() const {
     offset +=
         radius * Vector2d(std::cos(spiral_angle_), std::sin(spiral_angle_));
   }
-  if (stall_time_ > 0 || spiral_angle_ >= 0) {
-    const double phase = 2 * std::numbers::pi * time_;
-    turn.z() += params_.yaw_dither * std::sin(phase / kYawPeriod);
-    turn.x() += params_.tilt_dither * std::sin(phase / kTiltPeriod);
-    turn.y() += params_.tilt_dither * std::cos(phase / kTiltPeriod);
-  }
+  const double phase = 2 * std::numbers::pi * time_;
+  turn.z() += dither_ * params_.yaw_dither * std::sin(phase / kYawPeriod);
+  turn.x() += dither_ * params_.tilt_dither * std::sin(phase / kTiltPeriod);
+  turn.y() += dither_ * params_.tilt_dither * std::cos(phase / kTiltPeriod);
   Eigen::Isometry3d X_SO = Eigen::Isometry3d::Identity();
   X_SO.translation() << offset, z_;
   const double angle = turn.norm();

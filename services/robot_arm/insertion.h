@@ -37,6 +37,7 @@ class Insertion {
     double tilt_dither = 0;        ///< [rad]
     double end_height = 0;         ///< [m] from the seat where it is done
     double tolerance = 0.0008;     ///< [m] either way of it
+    double give = 0.002;           ///< [m] the grip may yield: it seems deeper
     double timeout = 30;           ///< [s]
     double max_force = 100;        ///< [N] no part is pushed harder
   };
@@ -62,6 +63,7 @@ class Insertion {
   void Comply(const ContactWrench& contact, double dt);
   void Watch(const ContactWrench& contact, double height, double dt);
   void Search(double height, double dt);
+  void Dither(double dt);
 
   Params params_;
   State state_ = State::kRunning;
@@ -79,6 +81,7 @@ class Insertion {
   double spiral_height_ = 0;  // where it began
   int num_spirals_ = 0;
   double stall_time_ = 0, stall_height_ = 0;
+  double dither_ = 0;  // 0: none, to 1: all of it
   double peak_force_ = 0;
 };
 

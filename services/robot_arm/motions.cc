@@ -119,7 +119,7 @@ std::string MoveFingers::reason() const {
 
 SkillStage::State Tare::Step(const ArmReading&, double dt, ArmCommand*) {
   time_ += dt;
-  if (time_ < kStill || dt == 0) return State::kRunning;
+  if (time_ < kStill) return State::kRunning;
   if (!sensor_.weightless()) {
     return time_ > kStill + kSensorPatience ? State::kFailed : State::kRunning;
   }

@@ -36,6 +36,7 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message) {
     return std::nullopt;
   }
   reading.opening = message.opening;
+  reading.stance = message.stance;
   reading.is_gripping = message.grip == arm_state_t::GRIPPING;
   reading.is_stopped = message.servo == arm_state_t::STOPPED;
   return reading;
@@ -101,7 +102,7 @@ bool RobotArm::OnState(const arm_state_t& message) {
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
   const auto reading = FromMessage(message);
   if (!reading) return false;
-  worker_->SeeOther(arm, {reading->q, "", reading->opening});
+  worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening});
   return true;
 }
 
@@ -111,7 +112,7 @@ bool RobotArm::OnWrench(const wrench_t& message) {
   std::copy_n(message.torque, 3, wrench.torque.data());
   if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return false;
   wrench_ = wrench;
-  wrench_utime_ = message.header.utime;
+  wrench_utime_ = bus_.now();  // what the message says need not be true
   return true;
 }
 

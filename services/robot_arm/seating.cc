@@ -43,7 +43,7 @@ SkillStage::State Insert::Step(const ArmReading& reading, double dt,
     reason_ = kNoSensor;
     return State::kFailed;
   }
-  if (!sensor_.weightless() || dt == 0) return State::kRunning;
+  if (!sensor_.weightless()) return State::kRunning;
   const ContactWrench contact = sensor_.ContactAt(
       (X_WG * frames_.X_GO).translation(), frames_.X_WS.linear());
   const Insertion::State state =
@@ -82,7 +82,7 @@ SkillStage::State Turn::Step(const ArmReading& reading, double dt,
     reason_ = kNoSensor;
     return State::kFailed;
   }
-  if (!sensor_.weightless() || dt == 0) return State::kRunning;
+  if (!sensor_.weightless()) return State::kRunning;
   const ContactWrench contact = sensor_.ContactAt(
       (X_WG * frames_.X_GO).translation(), frames_.X_WS.linear());
   const Turning::State state =

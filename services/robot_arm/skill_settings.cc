@@ -49,6 +49,7 @@ SkillSettings::Seating Refined(SkillSettings::Seating seating,
   read("tilt_dither_deg", kDegree, 0, 5, &p.tilt_dither);
   read("end_mm", kMm, 0, 100, &p.end_height);
   read("tolerance_mm", kMm, 0.01, 10, &p.tolerance);
+  read("give_mm", kMm, 0, 10, &p.give);
   read("timeout_s", 1, 1, 600, &p.timeout);
   if (config.Has("aim_mm")) {
     const std::vector<double> aim = config.Numbers("aim_mm", 2);

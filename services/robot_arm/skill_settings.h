@@ -6,6 +6,7 @@
 
 #include "common/config/config.h"
 #include "common/parts/part_table.h"
+#include "services/robot_arm/aim_error.h"
 #include "services/robot_arm/insertion.h"
 #include "services/robot_arm/turning.h"
 
@@ -35,6 +36,7 @@ struct SkillSettings {
   Fingers fingers;
   std::map<std::string, Seating> seatings;  ///< by type of site
   Turning::Params turning;                  ///< pitch as of the thread
+  AimError aim_error;                       ///< of evaluations, not of files
 
   /// @throws ConfigError naming file:key, also for a type that no site has
   /// and for gains that cannot be stable.

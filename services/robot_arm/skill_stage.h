@@ -8,8 +8,8 @@
 namespace cell {
 
 /// One stretch of a skill that runs tick by tick: a motion, the fingers, a
-/// contact. It changes the command and says when it is over. `dt` [s] is 0
-/// while the arm is frozen: then nothing goes on.
+/// contact. It changes the command and says when it is over. While the arm is
+/// frozen it is not called; `dt` [s] of its time has passed since it was.
 class SkillStage {
  public:
   enum class State { kRunning, kDone, kFailed };

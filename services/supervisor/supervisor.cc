@@ -140,11 +140,13 @@ bool Supervisor::OnResult(const skill_result_t& message) {
   return true;
 }
 
+/// No permit before every arm's servo was seen: one that has stopped while
+/// nobody looked must not take the first permit for the operator's leave.
 void Supervisor::OnTick() {
   for (const Notice& notice : Watch().Update(bus_.now())) Publish(notice);
   const Operation operation = Watch().operation();
   if (operation.mode == Mode::kHold) held_utime_ = bus_.now();
-  PublishPermit(operation);
+  if (servos_.size() == params_.arms.size()) PublishPermit(operation);
   if (told_ != operation) PublishMode(operation);
 }
 

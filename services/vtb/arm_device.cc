@@ -30,7 +30,7 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
   for (const Part& body : BodyPartsOf(layout)) body_names_.push_back(body.name);
   bus.Subscribe<arm_setpoint_t>(
       "ARM_SETPOINT_" + suffix_,
-      [this](const arm_setpoint_t& m) { return OnSetpoint(m); }, 1);
+      [this](const arm_setpoint_t& m) { return OnSetpoint(m); });
 }
 
 void ArmDevice::Reset(World& world) {
@@ -72,6 +72,7 @@ void ArmDevice::Publish(const World& world) {
   std::copy_n(servo_.position().data(), 6, state.position);
   std::copy_n(servo_.velocity().data(), 6, state.velocity);
   state.opening = gripper_.opening();
+  state.stance = gripper_.stance();
   state.grip = static_cast<int8_t>(gripper_.state(world));
   state.servo = static_cast<int8_t>(servo_.state());
   bus_.Publish("ARM_STATE_" + suffix_, state);

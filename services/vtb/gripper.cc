@@ -24,7 +24,7 @@ Gripper::Gripper(const std::string& name, const HandType& type,
 
 void Gripper::Reset(double opening) {
   opening_ = goal_ = opening;
-  grip_ = type_.grips.front().name;
+  grip_ = stance_ = type_.grips.front().name;
 }
 
 void Gripper::Command(double opening, const std::string& grip) {
@@ -42,7 +42,8 @@ void Gripper::Update(double dt, const Eigen::Isometry3d& X_WG, World& world) {
   const bool is_holding = hands.HeldBy(name_).has_value();
   const double step = params_.speed * dt;
   if (!is_holding) {
-    hands.PlaceFingers(name_, grip_);
+    stance_ = grip_;
+    hands.PlaceFingers(name_, stance_);
     const double before = opening_;
     opening_ += std::clamp(goal_ - opening_, -step, step);
     hands.Move(name_, X_WG, opening_);
@@ -67,7 +68,7 @@ bool Gripper::IsFree(const World& world, size_t part) const {
 /// The part that every finger touches.
 std::optional<std::string> Gripper::PartBetween(const Eigen::Isometry3d& X_WG,
                                                 const World& world) const {
-  const HandType::Grip& grip = *type_.FindGrip(grip_);
+  const HandType::Grip& grip = *type_.FindGrip(stance_);
   std::vector<PointCloud> fingers;
   for (size_t i = 0; i < grip.places.size(); ++i) {
     if (!HandType::IsFinger(grip.places[i])) continue;

@@ -35,6 +35,8 @@ class Gripper {
   void Update(double dt, const Eigen::Isometry3d& X_WG, World& world);
 
   double opening() const { return opening_; }
+  /// How the fingers stand: a grip of the hand's type.
+  const std::string& stance() const { return stance_; }
   State state(const World& world) const;
 
  private:
@@ -49,8 +51,8 @@ class Gripper {
   std::vector<std::vector<Eigen::Vector3d>> surfaces_;  // of each box, in B
   double opening_ = 0;
   double goal_ = 0;
-  double grip_opening_ = 0;  // when it gripped
-  std::string grip_;
+  double grip_opening_ = 0;    // when it gripped
+  std::string grip_, stance_;  // that they shall have, and have
 };
 
 }  // namespace cell

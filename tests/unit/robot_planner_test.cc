@@ -241,7 +241,7 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
   right_ = Idle("right",
                 {"face_plate", "head", "pendulum", "round_peg_1", "round_peg_2",
                  "separator", "shaft", "square_peg_1", "square_peg_2"});
-  Run(200);
+  Run(1000);  // until it is sure to stay there
   EXPECT_THAT(requests_, SizeIs(1));
 }
 

@@ -80,6 +80,7 @@ class Supervised : public testing::Test {
     }
   }
   void Live() {
+    if (has_device_ && tick_ == 1) ArmServo(arm_state_t::FOLLOWING);
     for (const char* name : {"eyes", "mind", "diary"}) {
       if (tick_ % 62 != 7 || dead_ == name) continue;
       status_t status{};
@@ -137,6 +138,7 @@ class Supervised : public testing::Test {
   std::vector<operating_mode_t> modes_;
   std::vector<alert_t> alerts_;
   std::string dead_;
+  bool has_device_ = true;
   int32_t tick_ = 0;
 };
 
@@ -149,6 +151,16 @@ TEST_F(Supervised, GivesAPermitOfFortyMillisecondsEveryTick) {
     EXPECT_EQ(permits_[i].until_utime, utime + 40'000);
   }
   EXPECT_THAT(alerts_, IsEmpty());
+}
+
+TEST_F(Supervised, ANewLifeLetsNothingMoveBeforeItKnowsWhetherAnArmHasStopped) {
+  has_device_ = false;
+  Episode(episode_t::RUNNING, "robot");
+  Tick(3);
+  EXPECT_THAT(permits_, IsEmpty());
+  ArmServo(arm_state_t::STOPPED);
+  Tick();
+  EXPECT_EQ(permit().hold, motion_permit_t::AT_ONCE);
 }
 
 TEST_F(Supervised, TheModeFollowsTheEpisode) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "cell/skill_result_t.hpp"
+#include "common/bus/bus.h"
+
+namespace cell {
+
+/// Stands in for planner and supervisor where single skills are tried: lets the
+/// arms move and asks for one skill after the other, then says that the task is
+/// done.
+class SkillDriver final : public Service {
+ public:
+  struct Wish {
+    std::string arm;
+    int8_t skill = 0;  ///< of skill_request_t
+    std::string part, site;
+  };
+  struct Params {
+    std::deque<Wish> wishes;
+    /// What an arm refuses to insert, this arm presents once; empty: none does.
+    std::string helper;
+  };
+
+  /// `bus` must outlive this object.
+  SkillDriver(Bus& bus, const Params& params);
+
+ private:
+  void OnResult(const skill_result_t& result);
+  void OnTick();
+  void Ask(const Wish& wish);
+
+  Bus& bus_;
+  Params params_;
+  Wish wish_;  // the last
+  bool is_waiting_ = false, has_helped_ = false, is_done_ = false;
+  int64_t id_ = 0;
+};
+
+}  // namespace cell

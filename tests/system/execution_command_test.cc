@@ -1,0 +1,114 @@
+// The cell assembles by itself over LCM: processes that are killed while they
+// take, carry and insert leave the same bytes as in one process.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "cell/arm_report_t.hpp"
+#include "common/bus/run_log.h"
+#include "tests/system/shell.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// Of the first parts alone, in a deployment whose episodes end early.
+class ExecutionCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::path(testing::TempDir()) /
+           (std::string("execution-") +
+            testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+    fs::copy(fs::path(CELL_SOURCE_DIR) / "deploy", dir_ / "deploy",
+             fs::copy_options::recursive);
+    const fs::path scripts =
+        dir_ / "deploy" / "tasks" / "cranfield" / "demonstrators.yaml";
+    std::string text = TextOf(scripts);
+    const std::string script = "execution: {agent: robot";
+    const std::string duration = "max_duration_s: ";
+    const size_t at = text.find(duration, text.find(script));
+    ASSERT_LT(at, text.size());
+    const size_t end = text.find('}', at);
+    text.replace(at, end - at, duration + "44");
+    std::ofstream(scripts) << text;
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(dir_);
+  }
+  ShellResult Cell(const std::string& arguments) const {
+    return Shell("cd " + dir_.string() + " && " + CELL_BIN_DIR + "/cell " +
+                 arguments);
+  }
+  std::string Hash(const std::string& arguments) const {
+    const std::string log = (dir_ / "stderr").string();
+    const ShellResult result = Shell(
+        "(cd " + dir_.string() + " && " + CELL_BIN_DIR + "/cell " + arguments +
+        " --deploy deploy --demonstration execution --seed 3 --hash 2>" + log +
+        ")");
+    EXPECT_EQ(result.code, 0) << result.output << TextOf(log);
+    return result.output;
+  }
+  static std::string TextOf(const fs::path& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(ExecutionCommand, TheSameSeedGivesTheSameBytesOverLcmAndInOneProcess) {
+  EXPECT_EQ(Hash("demo --out a"), Hash("sim --out b"));
+}
+
+TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
+  // While the right arm reaches for its first part, carries it and seats it.
+  const std::vector<std::string> kills = {
+      "tracker@320",  "supervisor@350",  "planner@365",  "robot_arm@right@380",
+      "tracker@1070", "supervisor@1100", "planner@1115", "robot_arm@right@1150",
+      "tracker@1850", "supervisor@1900", "planner@1915", "robot_arm@right@1950",
+  };
+  std::string arguments = "demo --out a";
+  for (const std::string& kill : kills) arguments += " --kill " + kill;
+  const std::string lcm = Hash(arguments);
+  const RunLog log = RunLog::Load(dir_ / "a");
+  EXPECT_THAT(log.problems(), testing::IsEmpty());
+  size_t num_deaths = 0;
+  std::string phase;
+  std::set<std::string> phases;  // in which the arm's own service has died
+  for (const auto& [k, entry] : log.ticks()) {
+    for (const joined_t& joined : entry.manifest.joined) {
+      num_deaths += joined.death_tick >= 0;
+      if (joined.death_tick >= 0 && joined.name == "robot_arm@right") {
+        phases.insert(phase);
+      }
+    }
+    for (const Message& message : entry.messages) {
+      if (message.channel != "ARM_REPORT_RIGHT") continue;
+      arm_report_t report;
+      report.decode(message.bytes->data(), 0,
+                    static_cast<int>(message.bytes->size()));
+      phase = report.phase;
+    }
+  }
+  EXPECT_EQ(num_deaths, kills.size());
+  EXPECT_THAT(phases, testing::ElementsAre("carry", "reach", "seat"));
+  EXPECT_EQ(lcm, Hash("sim --out b --deaths-of a"));
+  const ShellResult replay = Cell("replay a --check");
+  EXPECT_EQ(replay.code, 0) << replay.output;
+  for (const char* service : {"vtb", "tracker", "planner", "supervisor",
+                              "robot_arm@left", "robot_arm@right"}) {
+    EXPECT_THAT(replay.output, HasSubstr(service));
+  }
+}
+
+}  // namespace
+}  // namespace cell
