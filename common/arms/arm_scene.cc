@@ -185,48 +185,71 @@ void ArmScene::LetGo(const std::string& arm) {
   held_[ArmIndex(arm)].reset();
 }
 
+/// The bodies of an arm, then what it holds.
+std::vector<ArmScene::Posed> ArmScene::BodiesOf(
+    size_t arm, const std::vector<Isometry3d>& X_WB, const Joints& q) const {
+  const std::vector<Solid>& solids = shapes_->arm_solids[arm];
+  std::vector<Posed> bodies;
+  bodies.reserve(solids.size() + 1);
+  for (size_t i = 0; i < solids.size(); ++i) {
+    bodies.emplace_back(solids[i], X_WB[i]);
+  }
+  if (const auto& held = held_[arm]) {
+    bodies.emplace_back(shapes_->part_solids[PartIndex(held->part)],
+                        GripperPose(layout().arms[arm], q) * held->X_GO);
+  }
+  return bodies;
+}
+
+std::vector<ArmScene::Posed> ArmScene::OtherArms(size_t arm) const {
+  std::vector<Posed> others;
+  for (size_t other = 0; other < postures_.size(); ++other) {
+    if (other == arm) continue;
+    for (const Posed& body :
+         BodiesOf(other, X_WB_[other], postures_[other].q)) {
+      others.push_back(body);
+    }
+  }
+  return others;
+}
+
 std::vector<ArmScene::Posed> ArmScene::Obstacles(size_t arm) const {
-  std::vector<Posed> obstacles;
-  obstacles.reserve(X_WO_.size() + 16 * postures_.size());
+  std::vector<Posed> obstacles = OtherArms(arm);
   for (size_t i = 0; i < X_WO_.size(); ++i) {
     if (X_WO_[i]) obstacles.emplace_back(shapes_->part_solids[i], *X_WO_[i]);
   }
   obstacles.emplace_back(shapes_->pedestal, layout().pedestal.X_WP);
-  for (size_t other = 0; other < postures_.size(); ++other) {
-    if (other == arm) continue;
-    const std::vector<Solid>& solids = shapes_->arm_solids[other];
-    for (size_t i = 0; i < solids.size(); ++i) {
-      obstacles.emplace_back(solids[i], X_WB_[other][i]);
-    }
-    if (const auto& held = held_[other]) {
-      obstacles.emplace_back(
-          shapes_->part_solids[PartIndex(held->part)],
-          GripperPose(layout().arms[other], postures_[other].q) * held->X_GO);
+  return obstacles;
+}
+
+double ArmScene::DistanceToOthers(const std::string& arm,
+                                  const ArmPosture& posture,
+                                  double cutoff) const {
+  const size_t index = ArmIndex(arm);
+  const std::vector<Posed> own =
+      BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
+  const std::vector<Posed> others = OtherArms(index);
+  double nearest = cutoff;
+  for (size_t i = kFirstLinkBody; i < own.size(); ++i) {
+    for (const Posed& other : others) {
+      const double between =
+          own[i].solid->radius + other.solid->radius + nearest;
+      if ((own[i].p_W - other.p_W).squaredNorm() >= between * between) continue;
+      nearest = PartShape::Distance(own[i].solid->shape, own[i].X_WO,
+                                    other.solid->shape, other.X_WO, nearest);
     }
   }
-  return obstacles;
+  return nearest;
 }
 
 std::optional<std::string> ArmScene::WhyBlocked(
     const std::string& arm, const ArmPosture& posture,
     const ClearanceRule& rule) const {
   const size_t index = ArmIndex(arm);
-  const ArmLayout& its_layout = layout().arms[index];
-  const std::vector<Solid>& solids = shapes_->arm_solids[index];
-  const std::vector<Isometry3d> X_WB = BodyPosesOf(its_layout, posture);
+  const std::vector<Posed> own =
+      BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
   const std::vector<Posed> obstacles = Obstacles(index);
   const Query query(rule);
-
-  std::vector<Posed> own;
-  own.reserve(solids.size() + 1);
-  for (size_t i = 0; i < solids.size(); ++i) {
-    own.emplace_back(solids[i], X_WB[i]);
-  }
-  const auto& held = held_[index];
-  if (held) {
-    own.emplace_back(shapes_->part_solids[PartIndex(held->part)],
-                     GripperPose(its_layout, posture.q) * held->X_GO);
-  }
   // What is farthest out is most likely in the way.
   for (size_t i = own.size(); i-- > kFirstLinkBody;) {
     if (auto why = query.AgainstTable(own[i])) return why;

@@ -53,6 +53,10 @@ class ArmScene {
   std::optional<std::string> WhyBlocked(const std::string& arm,
                                         const ArmPosture& posture,
                                         const ClearanceRule& rule = {}) const;
+  /// [m] From the arm, if it stands so, and what it holds to the other arms and
+  /// what they hold; up to `cutoff`.
+  double DistanceToOthers(const std::string& arm, const ArmPosture& posture,
+                          double cutoff) const;
   /// What is within `distance` [m] of the part at X_WO: parts, "table",
   /// "pedestal".
   std::vector<std::string> Neighbours(const std::string& part,
@@ -83,6 +87,10 @@ class ArmScene {
   struct Posed;   ///< a solid where it is
   class Query;
 
+  std::vector<Posed> BodiesOf(size_t arm,
+                              const std::vector<Eigen::Isometry3d>& X_WB,
+                              const Joints& q) const;
+  std::vector<Posed> OtherArms(size_t arm) const;
   std::vector<Posed> Obstacles(size_t arm) const;
   size_t ArmIndex(const std::string& arm) const;
   size_t PartIndex(const std::string& part) const;

@@ -28,6 +28,9 @@ constexpr double kNear = 0.0015;       // [m] at a grasp or a place
 constexpr double kTouching = 1e-4;     // [m]
 constexpr int kMaxTouching = 12;       // pairs
 constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
+constexpr double kMoving = 1e-4;       // [rad] of a joint in a tick
+constexpr double kFromStill = 0.006;   // [m] that an arm that stands is given
+constexpr double kFromMoving = 0.06;   // [m] that an arm that moves is given
 constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
@@ -104,7 +107,11 @@ ArmPlanner::ArmPlanner(const Params& params)
 
 void ArmPlanner::Arrange() {
   scene_.LetGo(arm_.name);
+  for (const auto& [arm, other] : others_) scene_.LetGo(arm);
   scene_.PutParts(poses_);
+  for (const auto& [arm, other] : others_) {
+    if (other.held) scene_.Hold(arm, other.held->part, other.held->X_GO);
+  }
   if (held_) scene_.Hold(arm_.name, held_->part, held_->X_GO);
 }
 
@@ -116,9 +123,38 @@ void ArmPlanner::SetParts(const std::map<std::string, Isometry3d>& poses) {
   }
 }
 
-void ArmPlanner::SetOther(const std::string& arm, const ArmPosture& posture) {
-  const ArmLayout* other = params_.layout.FindArm(arm);
-  if (other != nullptr) scene_.SetPosture(arm, Posture(*other, posture));
+void ArmPlanner::SetOther(const std::string& arm, const ArmPosture& posture,
+                          bool is_gripping) {
+  const ArmLayout* layout = params_.layout.FindArm(arm);
+  if (layout == nullptr) return;
+  const ArmPosture known = Posture(*layout, posture);
+  scene_.SetPosture(arm, known);
+  Other& other = others_[arm];
+  other.is_moving =
+      other.q && (*other.q - posture.q).cwiseAbs().maxCoeff() > kMoving;
+  other.q = posture.q;
+  if (is_gripping == other.held.has_value()) return;
+  // It goes with the hand from here on: tracks come later than the hand.
+  other.held.reset();
+  if (is_gripping) {
+    const auto part = scene_.FindGrasped(arm, known);
+    if (!part) return;
+    other.held = {*part,
+                  GripperPose(*layout, posture.q).inverse() * poses_.at(*part)};
+  }
+  Arrange();
+}
+
+bool ArmPlanner::MeetsOther(const ArmPosture& now, const Joints& ahead) const {
+  const bool is_moving = std::ranges::any_of(
+      others_, [](const auto& other) { return other.second.is_moving; });
+  const double wanted = is_moving ? kFromMoving : kFromStill;
+  ArmPosture then = Posture(arm_, now);
+  const double before = scene_.DistanceToOthers(arm_.name, then, wanted);
+  then.q = ahead;
+  const double after = scene_.DistanceToOthers(arm_.name, then, wanted);
+  // It may leave where it is too near already.
+  return after < wanted && after < before;
 }
 
 void ArmPlanner::SetHeld(const std::optional<HeldPart>& held) {

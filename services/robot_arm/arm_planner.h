@@ -42,8 +42,10 @@ class ArmPlanner {
 
   /// The scene from now on.
   void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses);
-  /// An arm that is not known is of no account.
-  void SetOther(const std::string& arm, const ArmPosture& posture);
+  /// How another arm stands, and whether its fingers hold something. One that
+  /// is not known is of no account.
+  void SetOther(const std::string& arm, const ArmPosture& posture,
+                bool is_gripping);
   void SetHeld(const std::optional<HeldPart>& held);
   /// Points on persons' hands [in W].
   void SetHands(std::vector<Eigen::Vector3d> points);
@@ -64,6 +66,9 @@ class ArmPlanner {
   /// it holds, upright; those next to the middle first.
   OrReason<PlaceTarget> FindFreePlace(const Eigen::AlignedBox2d& area,
                                       const Joints& q) const;
+  /// True if it comes too near to another arm on its way from `now` to
+  /// `ahead`; it keeps farther from one that moves.
+  bool MeetsOther(const ArmPosture& now, const Joints& ahead) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
@@ -77,6 +82,13 @@ class ArmPlanner {
   void RefreshReachable();
 
  private:
+  /// What is known of another arm.
+  struct Other {
+    std::optional<Joints> q;  ///< when it was last seen
+    bool is_moving = false;
+    std::optional<ArmScene::Held> held;
+  };
+
   /// Puts all where it is.
   void Arrange();
   std::vector<std::pair<std::string, std::string>> Touching(
@@ -90,6 +102,7 @@ class ArmPlanner {
   ArmScene scene_;
   ArmScene bare_;  ///< without other arms and all that can be moved
   std::optional<HeldPart> held_;
+  std::map<std::string, Other> others_;  ///< by arm
   std::map<std::string, Eigen::Isometry3d> poses_;
   std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
   std::vector<std::string> reachable_;

@@ -12,7 +12,8 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
+constexpr double kStartTime = 0.3;  // [s] until full speed after a freeze
+constexpr double kLookAhead[] = {0.05, 0.15, 0.3, 0.45};  // [s] for other arms
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kPatience = 15;        // [s] with people's hands
 constexpr double kStill = 1e-3;         // [rad/s]
@@ -27,15 +28,18 @@ ArmWorker::ArmWorker(const Params& params)
     : params_(params),
       kinematics_(*params_.layout.FindArm(params_.arm)),
       sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
-      planner_(params_) {}
+      planner_(params_),
+      // Who inserts goes first.
+      right_of_way_(params_.layout.FindArm(params_.arm)->X_FS.has_value()) {}
 
 void ArmWorker::See(const std::map<std::string, Isometry3d>& poses) {
   poses_ = poses;
   planner_.SetParts(poses_);
 }
 
-void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture) {
-  planner_.SetOther(arm, posture);
+void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture,
+                         bool is_gripping) {
+  planner_.SetOther(arm, posture, is_gripping);
 }
 
 void ArmWorker::SeeHands(std::vector<Vector3d> points) {
@@ -117,9 +121,46 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
-  rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (request_ && !is_frozen_) Advance(rate_ * dt);
+  const bool stands = is_frozen_ || WaitsForOther(dt);
+  rate_ = stands ? 0 : std::min(1.0, rate_ + dt / kStartTime);
+  if (request_ && !stands) Advance(rate_ * dt);
   return *command_;
+}
+
+/// It would soon come too near to another arm if it went on.
+bool ArmWorker::IsOtherInTheWay() const {
+  if (!stage_) return false;
+  const ArmPosture now{command_->q, command_->grip, command_->opening};
+  for (const double seconds : kLookAhead) {
+    const auto ahead = stage_->Ahead(seconds, command_->q);
+    if (ahead && planner_.MeetsOther(now, *ahead)) return true;
+  }
+  return false;
+}
+
+bool ArmWorker::WaitsForOther(double dt) {
+  switch (right_of_way_.Step(IsOtherInTheWay(), dt)) {
+    case RightOfWay::Advice::kGo:
+      return false;
+    case RightOfWay::Advice::kWait:
+      return true;
+    case RightOfWay::Advice::kGoAround:
+      GoAround();
+      return true;
+    case RightOfWay::Advice::kGiveUp:
+      OnFailure("another arm is in the way");
+      return true;
+  }
+  return false;
+}
+
+/// If there is no other way it keeps to the one that it has.
+void ArmWorker::GoAround() {
+  if (!stage_ || !stage_->HasOtherWays()) return;
+  Todo::Made made = todos_.front().make();
+  if (auto* stage = std::get_if<std::unique_ptr<SkillStage>>(&made)) {
+    stage_ = std::move(*stage);
+  }
 }
 
 void ArmWorker::Advance(double dt) {

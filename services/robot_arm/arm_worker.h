@@ -14,6 +14,7 @@
 #include "services/robot_arm/arm_reading.h"
 #include "services/robot_arm/contact_sensor.h"
 #include "services/robot_arm/motions.h"
+#include "services/robot_arm/right_of_way.h"
 #include "services/robot_arm/seating.h"
 #include "services/robot_arm/skill.h"
 #include "services/robot_arm/skill_stage.h"
@@ -41,7 +42,8 @@ class ArmWorker {
   void See(const std::map<std::string, Eigen::Isometry3d>& poses);
   /// Points on persons' hands [in W].
   void SeeHands(std::vector<Eigen::Vector3d> points);
-  void SeeOther(const std::string& arm, const ArmPosture& posture);
+  void SeeOther(const std::string& arm, const ArmPosture& posture,
+                bool is_gripping);
 
   /// Takes the skill, or refuses it: then there is a result at once.
   void Begin(const SkillRequest& request, Leave leave);
@@ -73,6 +75,9 @@ class ArmWorker {
   using Until = MoveFingers::Until;
 
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
+  bool IsOtherInTheWay() const;
+  bool WaitsForOther(double dt);
+  void GoAround();
   void Advance(double dt);
   bool BeginNext();
   void FinishFirst();
@@ -123,6 +128,7 @@ class ArmWorker {
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from
   std::optional<SkillResult> result_;
+  RightOfWay right_of_way_;
   bool is_frozen_ = false;
   double rate_ = 1;  // of time, as the arm starts again
 };

@@ -102,7 +102,8 @@ bool RobotArm::OnState(const arm_state_t& message) {
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
   const auto reading = FromMessage(message);
   if (!reading) return false;
-  worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening});
+  worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening},
+                    reading->is_gripping);
   return true;
 }
 

@@ -71,7 +71,7 @@ TEST_F(ArmPlanning, WhereAnotherArmStandsNowDoesNotCount) {
   scene.PutPart("round_peg_1", poses_.at("round_peg_1"));
   const auto taken = Reach(scene, "left").Grasps("round_peg_1", left.home);
   ASSERT_TRUE(taken) << taken.reason;
-  planner_.SetOther("left", {taken.list[0].q_grasp, "", 0.05});
+  planner_.SetOther("left", {taken.list[0].q_grasp, "", 0.05}, false);
   poses_["round_peg_1"] = Standing("round_peg_1", 0.103, -0.40);
   See();
   EXPECT_THAT(planner_.Reachable(), Contains("round_peg_1"));
@@ -99,6 +99,65 @@ TEST_F(ArmPlanning, ItLeavesWhatItStandsNearTo) {
         << gap << ": " << std::get<std::string>(way);
     EXPECT_EQ(std::get<JointTrajectory>(way).goal(), arm_.home);
   }
+}
+
+TEST_F(ArmPlanning, WaysStayWithinTheWorkspace) {
+  // Over the pedestal, from one side to the other.
+  const GraspChoice grasp = Grasp("round_peg_1");
+  const auto way = planner_.PlanTransit(arm_.home, grasp.q_approach,
+                                        grasp.opening, grasp.grip);
+  ASSERT_TRUE(std::holds_alternative<JointTrajectory>(way))
+      << std::get<std::string>(way);
+  const auto& trajectory = std::get<JointTrajectory>(way);
+  for (double t = 0; t <= trajectory.duration(); t += 0.02) {
+    EXPECT_TRUE(arm_.workspace.contains(
+        GripperPose(arm_, trajectory.At(t).q).translation()))
+        << t;
+  }
+}
+
+TEST_F(ArmPlanning, WhatAnotherArmGripsGoesWithItsHand) {
+  const ArmLayout& left = *task_.layout.FindArm("left");
+  ArmScene scene(task_.parts, task_.layout);
+  scene.PutPart("round_peg_1", poses_.at("round_peg_1"));
+  const auto taken = Reach(scene, "left").Grasps("round_peg_1", left.home);
+  ASSERT_TRUE(taken) << taken.reason;
+  const GraspChoice& grasp = taken.list.front();
+  const auto is_there = [&] {
+    return std::holds_alternative<GraspChoice>(
+        planner_.PlanPick("round_peg_1", std::nullopt, arm_.home));
+  };
+  planner_.SetOther("left", {grasp.q_grasp, grasp.grip, grasp.width}, true);
+  // Tracks still show it where it lay.
+  planner_.SetOther("left", {left.home, grasp.grip, grasp.width}, true);
+  See();
+  EXPECT_FALSE(is_there());
+  planner_.SetOther("left", {left.home, grasp.grip, grasp.opening}, false);
+  EXPECT_TRUE(is_there());
+}
+
+TEST_F(ArmPlanning, ItMeetsAnotherArmSoonerIfThatOneMoves) {
+  const ArmLayout& left = *task_.layout.FindArm("left");
+  const auto over_table = [](const ArmLayout& arm, double x) {
+    return TrackPose(arm, Isometry3d(Translation3d(x, -0.40, 0.20)), arm.home)
+        .value();
+  };
+  const ArmPosture now{over_table(arm_, 0.30), "two_finger_pinch", 0.02};
+  const Joints ahead = over_table(arm_, 0.21);
+  const Joints into = over_table(arm_, 0.10);
+  const ArmPosture other{over_table(left, 0.05), "two_finger_pinch", 0.02};
+  planner_.SetOther("left", other, false);
+  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
+  EXPECT_TRUE(planner_.MeetsOther(now, into));
+  // Away is always free.
+  EXPECT_FALSE(planner_.MeetsOther({into, now.grip, now.opening}, now.q));
+  ArmPosture moved = other;
+  moved.q[5] += 0.01;
+  planner_.SetOther("left", moved, false);
+  EXPECT_TRUE(planner_.MeetsOther(now, ahead));
+  planner_.SetOther("left", moved, false);
+  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
+  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
 }
 
 TEST_F(ArmPlanning, WhatItPutsDownStandsFree) {

@@ -149,6 +149,41 @@ TEST_F(ArmSceneTest, WhatTheOtherArmHoldsIsInTheWay) {
   EXPECT_THAT(WhyBlocked(under), Optional(HasSubstr("would hit pendulum")));
 }
 
+TEST_F(ArmSceneTest, TheDistanceToOtherArmsCountsWhatEitherHolds) {
+  constexpr double kCutoff = 0.30;
+  const auto distance = [&] {
+    return scene_.DistanceToOthers("right", At("right", 0.20, -0.40, 0.20),
+                                   kCutoff);
+  };
+  EXPECT_EQ(distance(), kCutoff);
+  scene_.SetPosture("left", At("left", 0.00, -0.40, 0.20));
+  const double empty = distance();
+  EXPECT_GT(empty, 0);
+  EXPECT_LT(empty, 0.20);
+  // 50 mm out to the side of the hand.
+  Isometry3d X_GO = Down(-0.10, 0, -0.02);
+  scene_.Hold("right", "round_peg_1", X_GO);
+  const double one = distance();
+  EXPECT_LT(one, empty);
+  X_GO.translation().x() = 0.10;
+  scene_.Hold("left", "round_peg_2", X_GO);
+  EXPECT_EQ(distance(), 0);
+  // It agrees with what may not be.
+  scene_.LetGo("left");
+  const ArmPosture there = At("right", 0.20, -0.40, 0.20);
+  EXPECT_TRUE(WhyBlocked(there, {one + 1e-3, {}}).has_value());
+  EXPECT_EQ(WhyBlocked(there, {one - 1e-3, {}}), std::nullopt);
+}
+
+TEST_F(ArmSceneTest, WhatAllFingersAreAtIsGrasped) {
+  const ArmPosture closed = At("right", 0.10, -0.40, 0.06, 0.03);
+  EXPECT_EQ(scene_.FindGrasped("right", closed), std::nullopt);
+  scene_.PutPart("round_peg_2", Down(0.15, -0.40, 0.045));  // at one of them
+  EXPECT_EQ(scene_.FindGrasped("right", closed), std::nullopt);
+  scene_.PutPart("round_peg_1", Down(0.10, -0.40, 0.045));
+  EXPECT_EQ(scene_.FindGrasped("right", closed), "round_peg_1");
+}
+
 TEST_F(ArmSceneTest, AnArmMayHitItself) {
   // The forearm folded back until the hand is at the upper arm.
   ArmPosture folded = HomePosture(Arm("right"));
