@@ -1,31 +1,56 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "common/layout/arm_layout.h"
+#include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
 namespace cell {
 
-/// Where a body is: its name and X_WB.
-using NamedPose = std::pair<std::string, Eigen::Isometry3d>;
+/// How an arm stands: its joints, and how its hand places its fingers.
+struct ArmPosture {
+  Joints q = Joints::Zero();
+  std::string grip = "two_finger_pinch";  ///< of HandType
+  double opening = 0;                     ///< [m]
+};
 
-/// The plinth, the base and the six links of an arm as shapes in their frames:
-/// "arm_<name>.plinth", ".base", ".link_1" to ".link_6". A little larger than
-/// a UR5 is.
-std::vector<Part> ArmLinks(const ArmLayout& arm);
-/// Where they are, in the same order.
-std::vector<NamedPose> ArmLinkPoses(const ArmLayout& arm, const Joints& q);
+/// At home, the hand half open.
+ArmPosture HomePosture(const ArmLayout& arm);
 
-/// The boxes of a hand as shapes: "<hand>.<box>".
-std::vector<Part> HandBoxes(const std::string& hand, const HandType& type);
-/// Where they are, in the same order.
-std::vector<NamedPose> HandBoxPoses(const std::string& hand,
-                                    const HandType& type,
-                                    const Eigen::Isometry3d& X_WG,
-                                    const std::string& grip, double opening);
+/// The shapes of an arm and its hand, by name and in this order:
+/// "arm_<name>.plinth" (from the table to the base), "arm_<name>.base",
+/// "arm_<name>.link_1" .. "link_6" in the frames 1..6 of ur5.h, then
+/// "<gripper>.<box>" of the hand, each with its middle in its frame. The links
+/// are cylinders that hold those of a UR5.
+std::vector<Part> BodyPartsOf(const ArmLayout& arm);
+
+/// X_WB of the bodies of BodyPartsOf(), in its order.
+/// @throws std::invalid_argument if the hand has no such grip.
+std::vector<Eigen::Isometry3d> BodyPosesOf(const ArmLayout& arm,
+                                           const ArmPosture& posture);
+
+/// The same by name, for drawing.
+std::map<std::string, Eigen::Isometry3d> NamedBodyPosesOf(
+    const ArmLayout& arm, const ArmPosture& posture);
+
+/// Bodies that come before the hand's boxes in BodyPartsOf().
+inline constexpr size_t kNumArmBodies = 8;
+inline constexpr size_t kPlinthBody = 0, kBaseBody = 1, kFirstLinkBody = 2;
+
+/// True if two bodies of one arm, by their indices in BodyPartsOf(), may hit
+/// each other: neighbours, and the boxes of a hand among themselves, do not.
+bool MayCollide(size_t body_a, size_t body_b);
+
+/// The box that the fixed parts stand on, "pedestal", in its frame P.
+Part PedestalBody(const CellLayout::Pedestal& pedestal);
+
+/// X_WG of an arm.
+Eigen::Isometry3d GripperPose(const ArmLayout& arm, const Joints& q);
+/// X_BF that brings the gripper to X_WG.
+Eigen::Isometry3d FlangePoseFor(const ArmLayout& arm,
+                                const Eigen::Isometry3d& X_WG);
 
 }  // namespace cell

@@ -5,206 +5,352 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/arms/ur5.h"
+#include "common/geometry/part_shape.h"
 
 namespace cell {
 namespace {
 
 using Eigen::Isometry3d;
+using Eigen::Vector3d;
 
+constexpr char kTable[] = "table";
+constexpr char kPedestal[] = "pedestal";
+constexpr double kMinClearance = 1e-4;    // [m] what counts as touching
 constexpr double kGraspedWithin = 0.015;  // [m] of every finger
-constexpr size_t kPlinth = 0, kBase = 1, kFirstLink = 2;
 
-Part PedestalBox(const CellLayout::Pedestal& pedestal) {
-  Part part;
-  part.name = "pedestal";
-  Piece box;
-  box.half_extents =
-      Eigen::Vector3d(pedestal.size.x(), pedestal.size.y(), pedestal.height) /
-      2;
-  part.pieces = {box};
-  return part;
-}
-
-std::string Hit(const std::string& a, const std::string& b) {
-  return fmt::format("{} would hit {}", a, b);
+// "gripper_right" of "gripper_right.palm".
+std::string OwnerOf(const std::string& body) {
+  return body.substr(0, body.find('.'));
 }
 
 }  // namespace
 
-ArmScene::ArmScene(const CellLayout& layout, const PartTable& parts,
-                   const std::string& arm)
-    : layout_(layout), arm_(layout_.FindArm(arm)) {
-  if (arm_ == nullptr) throw std::invalid_argument("no arm is named " + arm);
-  for (const Part& link : ArmLinks(*arm_)) {
-    links_.push_back({link.name, PartShape(link)});
-  }
-  for (const Part& box : HandBoxes(arm_->gripper, arm_->hand)) {
-    boxes_.push_back({box.name, PartShape(box)});
-  }
-  for (const Part& part : parts.parts()) {
-    parts_.push_back({part.name, PartShape(part)});
-    parts_.back().is_there = false;
-    parts_.back().is_fixed = part.is_fixed;
-  }
-  const Part pedestal = PedestalBox(layout_.pedestal);
-  fixtures_.push_back({pedestal.name, PartShape(pedestal)});
-  fixtures_.back().X_WB =
-      layout_.pedestal.X_WP *
-      Eigen::Translation3d(0, 0, -layout_.pedestal.height / 2);
-  for (const ArmLayout& other : layout_.arms) {
-    if (other.name != arm) AddOther(other);
-  }
-}
+struct ArmScene::Solid {
+  explicit Solid(const Part& part)
+      : name(part.name),
+        owner(OwnerOf(part.name)),
+        shape(part),
+        centre(shape.box().center()),
+        radius(shape.box().diagonal().norm() / 2) {}
 
-void ArmScene::AddOther(const ArmLayout& other) {
-  std::vector<Body>& bodies = others_[other.name];
-  for (const Part& link : ArmLinks(other)) {
-    bodies.push_back({link.name, PartShape(link)});
+  bool IsCalled(const std::string& called) const {
+    return called == name || called == owner;
   }
-  for (const Part& box : HandBoxes(other.gripper, other.hand)) {
-    bodies.push_back({box.name, PartShape(box)});
-  }
-  SetOther(other.name, {other.home, "", other.hand.max_opening / 2});
-}
 
-void ArmScene::SetParts(const std::map<std::string, Isometry3d>& poses) {
-  poses_ = poses;
-  for (Body& part : parts_) {
-    const auto pose = poses_.find(part.name);
-    part.is_there = pose != poses_.end();
-    if (part.is_there) part.X_WB = pose->second;
-  }
-}
+  std::string name;
+  std::string owner;
+  PartShape shape;
+  Vector3d centre;  // of the sphere that holds it
+  double radius;
+};
 
-void ArmScene::SetOther(const std::string& arm, const ArmPosture& posture) {
-  const auto it = others_.find(arm);
-  if (it == others_.end()) return;
-  const ArmLayout& other = *layout_.FindArm(arm);
-  std::vector<NamedPose> poses = ArmLinkPoses(other, posture.q);
-  const Isometry3d X_WG = other.X_WB * ur5::FlangePose(posture.q) * other.X_FG;
-  for (NamedPose& pose : HandBoxPoses(other.gripper, other.hand, X_WG,
-                                      posture.grip, posture.opening)) {
-    poses.push_back(std::move(pose));
-  }
-  for (size_t i = 0; i < poses.size(); ++i)
-    it->second[i].X_WB = poses[i].second;
-}
-
-std::optional<std::string> ArmScene::WhyNot(const ArmPosture& posture,
-                                            const Question& question) const {
-  std::vector<Moving> links, tool;
-  const auto link_poses = ArmLinkPoses(*arm_, posture.q);
-  for (size_t i = 0; i < links_.size(); ++i) {
-    links.push_back({&links_[i].name, &links_[i].shape, link_poses[i].second});
-  }
-  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(posture.q) * arm_->X_FG;
-  const auto box_poses = HandBoxPoses(arm_->gripper, arm_->hand, X_WG,
-                                      posture.grip, posture.opening);
-  for (size_t i = 0; i < boxes_.size(); ++i) {
-    tool.push_back({&boxes_[i].name, &boxes_[i].shape, box_poses[i].second});
-  }
-  for (size_t i = kFirstLink; i < links.size(); ++i) {
-    // The shoulder turns over the plinth and meets nothing.
-    if (i == kFirstLink) continue;
-    if (auto hit = HitBy(links[i], false, question)) return hit;
-  }
-  for (const Moving& box : tool) {
-    if (auto hit = HitBy(box, true, question)) return hit;
-  }
-  if (question.held) {
-    for (const Body& part : parts_) {
-      if (part.name != question.held->part) continue;
-      tool.push_back({&part.name, &part.shape, X_WG * question.held->X_GO});
-      if (auto hit = HitBy(tool.back(), false, question)) return hit;
+struct ArmScene::Shapes {
+  Shapes(const PartTable& table, const CellLayout& cell_layout)
+      : parts(table),
+        layout(cell_layout),
+        pedestal(PedestalBody(layout.pedestal)) {
+    for (const Part& part : parts.parts()) part_solids.emplace_back(part);
+    for (const ArmLayout& arm : layout.arms) {
+      std::vector<Solid>& solids = arm_solids.emplace_back();
+      for (const Part& body : BodyPartsOf(arm)) solids.emplace_back(body);
     }
   }
-  return HitsItself(links, tool, question.clearance);
+
+  PartTable parts;
+  CellLayout layout;
+  Solid pedestal;
+  std::vector<Solid> part_solids;
+  std::vector<std::vector<Solid>> arm_solids;
+};
+
+struct ArmScene::Posed {
+  Posed(const Solid& its_solid, const Isometry3d& its_pose)
+      : solid(&its_solid), X_WO(its_pose), p_W(X_WO * its_solid.centre) {}
+
+  const Solid* solid;
+  Isometry3d X_WO;
+  Vector3d p_W;  // the middle of its sphere
+};
+
+// Finds the first pair that is nearer than the rule wants.
+class ArmScene::Query {
+ public:
+  explicit Query(const ClearanceRule& rule)
+      : rule_(rule), clearance_(std::max(rule.clearance, kMinClearance)) {}
+
+  std::optional<std::string> AgainstTable(const Posed& body) const {
+    if (body.p_W.z() - body.solid->radius >= clearance_ ||
+        body.solid->shape.LowestZ(body.X_WO) >= clearance_ ||
+        IsAllowed([](const std::string& name) { return name == kTable; },
+                  *body.solid)) {
+      return std::nullopt;
+    }
+    return fmt::format("{} would hit the table", body.solid->name);
+  }
+
+  std::optional<std::string> Against(const Posed& body,
+                                     const Posed& other) const {
+    return WhyTooNear(body, other, clearance_);
+  }
+
+  std::optional<std::string> AgainstOwn(const Posed& body,
+                                        const Posed& other) const {
+    return WhyTooNear(body, other, std::min(clearance_, kSelfClearance));
+  }
+
+ private:
+  std::optional<std::string> WhyTooNear(const Posed& a, const Posed& b,
+                                        double clearance) const {
+    const double between = a.solid->radius + b.solid->radius + clearance;
+    if ((a.p_W - b.p_W).squaredNorm() >= between * between) return std::nullopt;
+    if (!AreNear(a, b, clearance) ||
+        IsAllowed(
+            [&](const std::string& name) { return a.solid->IsCalled(name); },
+            *b.solid)) {
+      return std::nullopt;
+    }
+    return fmt::format("{} would hit {}", a.solid->name, b.solid->name);
+  }
+
+  static bool AreNear(const Posed& a, const Posed& b, double clearance) {
+    const auto is_far = [&](const Posed& box, const Posed& sphere) {
+      return box.solid->shape.box().exteriorDistance(
+                 box.X_WO.inverse(Eigen::Isometry) * sphere.p_W) >=
+             sphere.solid->radius + clearance;
+    };
+    if (is_far(a, b) || is_far(b, a)) return false;
+    // Any distance below the clearance ends the search.
+    return PartShape::Distance(a.solid->shape, a.X_WO, b.solid->shape, b.X_WO,
+                               clearance, clearance * (1 - 1e-6)) < clearance;
+  }
+
+  template <class IsFirst>
+  bool IsAllowed(const IsFirst& is_first, const Solid& second) const {
+    return std::ranges::any_of(rule_.allowed, [&](const auto& pair) {
+      return (is_first(pair.first) && second.IsCalled(pair.second)) ||
+             (is_first(pair.second) && second.IsCalled(pair.first));
+    });
+  }
+
+  const ClearanceRule& rule_;
+  double clearance_;
+};
+
+ArmScene::ArmScene(const PartTable& parts, const CellLayout& layout)
+    : shapes_(std::make_shared<const Shapes>(parts, layout)),
+      X_WO_(parts.parts().size()) {
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (parts.parts()[i].is_fixed) X_WO_[i] = layout.pedestal.X_WP;
+  }
+  for (const ArmLayout& arm : layout.arms) {
+    postures_.push_back(HomePosture(arm));
+    X_WB_.push_back(BodyPosesOf(arm, postures_.back()));
+  }
+  held_.resize(layout.arms.size());
+}
+
+void ArmScene::PutPart(const std::string& part, const Isometry3d& X_WO) {
+  const size_t index = PartIndex(part);
+  for (auto& held : held_) {
+    if (held && held->part == part) held.reset();
+  }
+  X_WO_[index] = X_WO;
+}
+
+void ArmScene::RemovePart(const std::string& part) {
+  X_WO_[PartIndex(part)].reset();
+}
+
+void ArmScene::PutParts(const std::map<std::string, Isometry3d>& X_WO) {
+  std::ranges::fill(X_WO_, std::nullopt);
+  for (const auto& [part, pose] : X_WO) PutPart(part, pose);
+}
+
+void ArmScene::SetPosture(const std::string& arm, const ArmPosture& posture) {
+  const size_t index = ArmIndex(arm);
+  X_WB_[index] = BodyPosesOf(layout().arms[index], posture);
+  postures_[index] = posture;
+}
+
+void ArmScene::Hold(const std::string& arm, const std::string& part,
+                    const Isometry3d& X_GO) {
+  RemovePart(part);
+  for (auto& held : held_) {
+    if (held && held->part == part) held.reset();
+  }
+  held_[ArmIndex(arm)] = Held{part, X_GO};
+}
+
+void ArmScene::LetGo(const std::string& arm) {
+  held_[ArmIndex(arm)].reset();
+}
+
+/// The bodies of an arm, then what it holds.
+std::vector<ArmScene::Posed> ArmScene::BodiesOf(
+    size_t arm, const std::vector<Isometry3d>& X_WB, const Joints& q) const {
+  const std::vector<Solid>& solids = shapes_->arm_solids[arm];
+  std::vector<Posed> bodies;
+  bodies.reserve(solids.size() + 1);
+  for (size_t i = 0; i < solids.size(); ++i) {
+    bodies.emplace_back(solids[i], X_WB[i]);
+  }
+  if (const auto& held = held_[arm]) {
+    bodies.emplace_back(shapes_->part_solids[PartIndex(held->part)],
+                        GripperPose(layout().arms[arm], q) * held->X_GO);
+  }
+  return bodies;
+}
+
+std::vector<ArmScene::Posed> ArmScene::OtherArms(size_t arm) const {
+  std::vector<Posed> others;
+  for (size_t other = 0; other < postures_.size(); ++other) {
+    if (other == arm) continue;
+    for (const Posed& body :
+         BodiesOf(other, X_WB_[other], postures_[other].q)) {
+      others.push_back(body);
+    }
+  }
+  return others;
+}
+
+std::vector<ArmScene::Posed> ArmScene::Obstacles(size_t arm) const {
+  std::vector<Posed> obstacles = OtherArms(arm);
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (X_WO_[i]) obstacles.emplace_back(shapes_->part_solids[i], *X_WO_[i]);
+  }
+  obstacles.emplace_back(shapes_->pedestal, layout().pedestal.X_WP);
+  return obstacles;
+}
+
+double ArmScene::DistanceToOthers(const std::string& arm,
+                                  const ArmPosture& posture,
+                                  double cutoff) const {
+  const size_t index = ArmIndex(arm);
+  const std::vector<Posed> own =
+      BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
+  const std::vector<Posed> others = OtherArms(index);
+  double nearest = cutoff;
+  for (size_t i = kFirstLinkBody; i < own.size(); ++i) {
+    for (const Posed& other : others) {
+      const double between =
+          own[i].solid->radius + other.solid->radius + nearest;
+      if ((own[i].p_W - other.p_W).squaredNorm() >= between * between) continue;
+      nearest = PartShape::Distance(own[i].solid->shape, own[i].X_WO,
+                                    other.solid->shape, other.X_WO, nearest);
+    }
+  }
+  return nearest;
+}
+
+std::optional<std::string> ArmScene::WhyBlocked(
+    const std::string& arm, const ArmPosture& posture,
+    const ClearanceRule& rule) const {
+  const size_t index = ArmIndex(arm);
+  const std::vector<Posed> own =
+      BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
+  const std::vector<Posed> obstacles = Obstacles(index);
+  const Query query(rule);
+  // What is farthest out is most likely in the way.
+  for (size_t i = own.size(); i-- > kFirstLinkBody;) {
+    if (auto why = query.AgainstTable(own[i])) return why;
+    for (const Posed& obstacle : obstacles) {
+      if (auto why = query.Against(own[i], obstacle)) return why;
+    }
+    // What is held goes with the hand as the hand's boxes do.
+    for (size_t j = 0; j < std::min(i, kNumArmBodies); ++j) {
+      if (!MayCollide(j, i)) continue;
+      if (auto why = query.AgainstOwn(own[i], own[j])) return why;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> ArmScene::Neighbours(const std::string& part,
+                                              const Isometry3d& X_WO,
+                                              double distance) const {
+  const PartShape& shape = shapes_->part_solids[PartIndex(part)].shape;
+  const auto is_near = [&](const PartShape& other, const Isometry3d& X_WP) {
+    return PartShape::Distance(shape, X_WO, other, X_WP, distance) < distance;
+  };
+  std::vector<std::string> names;
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    const Solid& other = shapes_->part_solids[i];
+    if (other.name != part && X_WO_[i] && is_near(other.shape, *X_WO_[i])) {
+      names.push_back(other.name);
+    }
+  }
+  if (is_near(shapes_->pedestal.shape, layout().pedestal.X_WP)) {
+    names.emplace_back(kPedestal);
+  }
+  if (shape.LowestZ(X_WO) < distance) names.emplace_back(kTable);
+  return names;
 }
 
 std::optional<std::string> ArmScene::FindGrasped(
-    const ArmPosture& posture) const {
-  const HandType::Grip* grip = arm_->hand.FindGrip(posture.grip);
-  if (grip == nullptr) return std::nullopt;
-  const Isometry3d X_WG = arm_->X_WB * ur5::FlangePose(posture.q) * arm_->X_FG;
+    const std::string& arm, const ArmPosture& posture) const {
+  const size_t index = ArmIndex(arm);
+  const ArmLayout& its_layout = layout().arms[index];
+  const std::vector<Isometry3d> X_WB = BodyPosesOf(its_layout, posture);
+  const auto& places = its_layout.hand.FindGrip(posture.grip)->places;
+  const auto farthest_finger = [&](size_t part) {
+    double farthest = 0;
+    for (size_t i = 0; i < places.size(); ++i) {
+      if (!HandType::IsFinger(places[i])) continue;
+      const size_t body = kNumArmBodies + i;
+      farthest = std::max(
+          farthest,
+          PartShape::Distance(shapes_->arm_solids[index][body].shape,
+                              X_WB[body], shapes_->part_solids[part].shape,
+                              *X_WO_[part], kGraspedWithin));
+    }
+    return farthest;
+  };
   double nearest = kGraspedWithin;
   std::optional<std::string> grasped;
-  for (const Body& part : parts_) {
-    if (!part.is_there || part.is_fixed) continue;
-    double farthest = 0;
-    for (size_t i = 0; i < boxes_.size(); ++i) {
-      if (!HandType::IsFinger(grip->places[i])) continue;
-      farthest = std::max(
-          farthest, PartShape::Distance(
-                        boxes_[i].shape,
-                        X_WG * HandType::PlaceOf(*grip, i, posture.opening),
-                        part.shape, part.X_WB, kGraspedWithin));
-    }
+  for (size_t i = 0; i < X_WO_.size(); ++i) {
+    if (!X_WO_[i] || parts().parts()[i].is_fixed) continue;
+    const double farthest = farthest_finger(i);
     if (farthest >= nearest) continue;
     nearest = farthest;
-    grasped = part.name;
+    grasped = parts().parts()[i].name;
   }
   return grasped;
 }
 
-std::optional<std::string> ArmScene::HitBy(const Moving& moving, bool is_hand,
-                                           const Question& question) const {
-  const double clearance = question.clearance;
-  const std::string held = question.held ? question.held->part : "";
-  const bool is_held = *moving.name == held;
-  const double over_table =
-      question.over_table < 0 ? clearance : question.over_table;
-  if (moving.shape->LowestZ(moving.X_WB) < (is_held ? 0 : over_table)) {
-    return Hit(*moving.name, "the table");
-  }
-  const auto hits = [&](const Body& body) {
-    return PartShape::Distance(*moving.shape, moving.X_WB, body.shape,
-                               body.X_WB, clearance) < clearance;
-  };
-  const bool is_among_parts = !(is_held && question.is_seated);
-  for (const Body& part : parts_) {
-    if (!is_among_parts || !part.is_there || part.name == held) continue;
-    if (question.only_fixed && !part.is_fixed) continue;
-    if (is_hand && part.name == question.grasped) continue;
-    if (hits(part)) return Hit(*moving.name, part.name);
-  }
-  for (const Body& fixture : fixtures_) {
-    if (is_among_parts && hits(fixture)) return Hit(*moving.name, fixture.name);
-  }
-  for (const auto& [name, bodies] : others_) {
-    if (question.only_fixed) break;
-    for (const Body& body : bodies) {
-      if (hits(body)) return Hit(*moving.name, body.name);
-    }
-  }
-  return std::nullopt;
+const ArmPosture& ArmScene::PostureOf(const std::string& arm) const {
+  return postures_[ArmIndex(arm)];
 }
 
-/// Links that are no neighbours, and what the hand holds up to the forearm.
-std::optional<std::string> ArmScene::HitsItself(
-    const std::vector<Moving>& links, const std::vector<Moving>& tool,
-    double clearance) const {
-  const auto hits = [&](const Moving& a, const Moving& b) {
-    return PartShape::Distance(*a.shape, a.X_WB, *b.shape, b.X_WB, clearance) <
-           clearance;
-  };
-  const size_t forearm = kFirstLink + 2, upper_arm = kFirstLink + 1;
-  for (size_t i = forearm + 1; i < links.size(); ++i) {
-    for (size_t j = kPlinth; j <= upper_arm; ++j) {
-      if (hits(links[i], links[j])) return Hit(*links[i].name, *links[j].name);
-    }
+std::optional<Isometry3d> ArmScene::PoseOf(const std::string& part) const {
+  return X_WO_[PartIndex(part)];
+}
+
+std::optional<ArmScene::Held> ArmScene::HeldBy(const std::string& arm) const {
+  return held_[ArmIndex(arm)];
+}
+
+const CellLayout& ArmScene::layout() const {
+  return shapes_->layout;
+}
+
+const PartTable& ArmScene::parts() const {
+  return shapes_->parts;
+}
+
+size_t ArmScene::ArmIndex(const std::string& arm) const {
+  const auto& arms = shapes_->layout.arms;
+  for (size_t i = 0; i < arms.size(); ++i) {
+    if (arms[i].name == arm) return i;
   }
-  for (const size_t j : {kPlinth, kBase}) {
-    if (hits(links[forearm], links[j])) {
-      return Hit(*links[forearm].name, *links[j].name);
-    }
+  throw std::invalid_argument(fmt::format("there is no arm '{}'", arm));
+}
+
+size_t ArmScene::PartIndex(const std::string& part) const {
+  const auto& solids = shapes_->part_solids;
+  for (size_t i = 0; i < solids.size(); ++i) {
+    if (solids[i].name == part) return i;
   }
-  for (const Moving& body : tool) {
-    for (size_t j = kPlinth; j <= forearm; ++j) {
-      if (hits(body, links[j])) return Hit(*body.name, *links[j].name);
-    }
-  }
-  return std::nullopt;
+  throw std::invalid_argument(fmt::format("there is no part '{}'", part));
 }
 
 }  // namespace cell

@@ -2,91 +2,104 @@
 
 #include <Eigen/Geometry>
 #include <map>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/arms/arm_bodies.h"
-#include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
 namespace cell {
 
-/// How an arm and its fingers stand.
-struct ArmPosture {
-  Joints q = Joints::Zero();
-  std::string grip;
-  double opening = 0;  ///< [m]
+/// How near bodies may come.
+struct ClearanceRule {
+  double clearance = 0.010;  ///< [m] wanted between the arm and all else
+  /// Pairs that may come as near as they like: "table", "pedestal", a part, a
+  /// body ("gripper_right.finger_1") or the owner of bodies ("gripper_right",
+  /// "arm_left").
+  std::vector<std::pair<std::string, std::string>> allowed;
 };
 
-/// What an arm moves among: parts, table, pedestal, the other arms, itself.
-/// Says whether a posture is free. Shapes are made once; a question costs some
-/// ten microseconds.
+/// What an arm moves among: the table's top, the pedestal, the parts where
+/// they are, the other arms and what they hold. Cheap to copy: copies share the
+/// shapes. Asking changes nothing.
 class ArmScene {
  public:
+  /// Fixed parts stand on the pedestal; no other part is there yet; the arms
+  /// are at home with empty hands. @throws std::invalid_argument for a part
+  /// without shape.
+  ArmScene(const PartTable& parts, const CellLayout& layout);
+
+  /// @throws std::invalid_argument for names that are no part's or no arm's,
+  /// in all of these.
+  void PutPart(const std::string& part, const Eigen::Isometry3d& X_WO);
+  void RemovePart(const std::string& part);
+  /// Puts all parts that the map names; the others are gone.
+  void PutParts(const std::map<std::string, Eigen::Isometry3d>& X_WO);
+  void SetPosture(const std::string& arm, const ArmPosture& posture);
+  /// The part goes with the arm's gripper from now on.
+  void Hold(const std::string& arm, const std::string& part,
+            const Eigen::Isometry3d& X_GO);
+  /// What the arm held is gone until it is put somewhere.
+  void LetGo(const std::string& arm);
+
+  /// Nothing if the arm may stand so, with what it holds; else why not, e.g.
+  /// "gripper_right.finger_1 would hit NAME". Its own posture in the scene is
+  /// of no account. Of its own bodies it minds those that could hit each other
+  /// (MayCollide), at no more than `kSelfClearance`.
+  std::optional<std::string> WhyBlocked(const std::string& arm,
+                                        const ArmPosture& posture,
+                                        const ClearanceRule& rule = {}) const;
+  /// [m] From the arm, if it stands so, and what it holds to the other arms and
+  /// what they hold; up to `cutoff`.
+  double DistanceToOthers(const std::string& arm, const ArmPosture& posture,
+                          double cutoff) const;
+  /// What is within `distance` [m] of the part at X_WO: parts, "table",
+  /// "pedestal".
+  std::vector<std::string> Neighbours(const std::string& part,
+                                      const Eigen::Isometry3d& X_WO,
+                                      double distance) const;
+  /// What the arm's fingers grip if it stands so: the part, neither fixed nor
+  /// held, that the farthest of them is nearest to.
+  std::optional<std::string> FindGrasped(const std::string& arm,
+                                         const ArmPosture& posture) const;
+
+  const ArmPosture& PostureOf(const std::string& arm) const;
+  /// Nothing if it is not there, or held.
+  std::optional<Eigen::Isometry3d> PoseOf(const std::string& part) const;
   struct Held {
     std::string part;
     Eigen::Isometry3d X_GO = Eigen::Isometry3d::Identity();
   };
-  /// What is asked of a posture.
-  struct Question {
-    double clearance = 0;      ///< [m] to everything ...
-    double over_table = -1;    ///< [m] ... but the table; negative: to it, too
-    std::optional<Held> held;  ///< moves with the gripper
-    std::string grasped;       ///< part that the hand may touch
-    bool is_seated = false;    ///< the held part may touch parts and pedestal
-    bool only_fixed = false;   ///< parts and arms that can move do not count
-  };
+  /// Nothing if its hand is empty.
+  std::optional<Held> HeldBy(const std::string& arm) const;
+  const CellLayout& layout() const;
+  const PartTable& parts() const;
 
-  ArmScene(const CellLayout& layout, const PartTable& parts,
-           const std::string& arm);
-
-  /// Parts without a pose are not there.
-  void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses);
-  void SetOther(const std::string& arm, const ArmPosture& posture);
-  /// The first two bodies found nearer than the clearance, in plain words;
-  /// nothing if the posture is free.
-  std::optional<std::string> WhyNot(const ArmPosture& posture,
-                                    const Question& question) const;
-
-  /// What the fingers grip: the part that the farthest of them is nearest to.
-  std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
-
-  const ArmLayout& arm() const { return *arm_; }
-  const std::map<std::string, Eigen::Isometry3d>& poses() const {
-    return poses_;
-  }
+  static constexpr double kSelfClearance = 0.002;  ///< [m]
 
  private:
-  struct Body {
-    std::string name;
-    PartShape shape;
-    Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-    bool is_there = true;
-    bool is_fixed = true;
-  };
-  struct Moving {
-    const std::string* name;
-    const PartShape* shape;
-    Eigen::Isometry3d X_WB;
-  };
+  struct Solid;   ///< a shape with its name
+  struct Shapes;  ///< of all bodies; copies share them
+  struct Posed;   ///< a solid where it is
+  class Query;
 
-  void AddOther(const ArmLayout& arm);
-  std::optional<std::string> HitBy(const Moving& moving, bool is_hand,
-                                   const Question& question) const;
-  std::optional<std::string> HitsItself(const std::vector<Moving>& links,
-                                        const std::vector<Moving>& tool,
-                                        double clearance) const;
+  std::vector<Posed> BodiesOf(size_t arm,
+                              const std::vector<Eigen::Isometry3d>& X_WB,
+                              const Joints& q) const;
+  std::vector<Posed> OtherArms(size_t arm) const;
+  std::vector<Posed> Obstacles(size_t arm) const;
+  size_t ArmIndex(const std::string& arm) const;
+  size_t PartIndex(const std::string& part) const;
 
-  CellLayout layout_;
-  const ArmLayout* arm_;
-  std::vector<Body> links_, boxes_;  // of the arm, in their own order
-  std::vector<Body> parts_;
-  std::vector<Body> fixtures_;                       // pedestal, other plinths
-  std::map<std::string, std::vector<Body>> others_;  // by arm
-  std::map<std::string, Eigen::Isometry3d> poses_;
+  std::shared_ptr<const Shapes> shapes_;
+  std::vector<std::optional<Eigen::Isometry3d>> X_WO_;  ///< by part
+  std::vector<ArmPosture> postures_;                    ///< by arm
+  std::vector<std::vector<Eigen::Isometry3d>> X_WB_;    ///< of arms' bodies
+  std::vector<std::optional<Held>> held_;               ///< by arm
 };
 
 }  // namespace cell

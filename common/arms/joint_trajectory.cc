@@ -3,41 +3,63 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 namespace cell {
 namespace {
 
-// Of s(t) = 10 t^3 - 15 t^4 + 6 t^5 over [0, 1].
-constexpr double kPeakSpeed = 1.875;
-constexpr double kPeakAcceleration = 5.773502691896258;  // 10 / sqrt(3)
+constexpr double kNoWay = 1e-9;  // [rad]
 
 }  // namespace
 
-JointTrajectory::JointTrajectory(std::vector<Joints> waypoints,
-                                 const Limits& limits)
-    : waypoints_(std::move(waypoints)) {
-  if (waypoints_.empty()) throw std::invalid_argument("no waypoints");
-  ends_.push_back(0);
-  for (size_t i = 1; i < waypoints_.size(); ++i) {
-    const double way =
-        (waypoints_[i] - waypoints_[i - 1]).cwiseAbs().maxCoeff();
-    ends_.push_back(ends_.back() + std::max(kPeakSpeed * way / limits.speed,
-                                            std::sqrt(kPeakAcceleration * way /
-                                                      limits.acceleration)));
+JointTrajectory::JointTrajectory(const std::vector<Joints>& waypoints,
+                                 const JointRates& rates) {
+  if (waypoints.empty()) throw std::invalid_argument("a path has no waypoints");
+  if (!(rates.speed > 0 && rates.acceleration > 0)) {
+    throw std::invalid_argument("joint rates must be positive");
+  }
+  start_ = waypoints.front();
+  goal_ = waypoints.back();
+  for (size_t i = 1; i < waypoints.size(); ++i) {
+    Segment segment;
+    segment.from = waypoints[i - 1];
+    segment.way = waypoints[i] - waypoints[i - 1];
+    // The joint with the longest way decides: all have the same rates.
+    const double longest = segment.way.cwiseAbs().maxCoeff();
+    if (longest < kNoWay) continue;
+    const double speed = rates.speed / longest;
+    segment.acceleration = rates.acceleration / longest;
+    // s = acceleration ramp^2 + speed cruise = 1
+    segment.ramp = std::min(speed / segment.acceleration,
+                            std::sqrt(1 / segment.acceleration));
+    const double top_speed = segment.acceleration * segment.ramp;
+    segment.cruise = std::max(0.0, 1 / top_speed - segment.ramp);
+    segment.begin = duration_;
+    duration_ += segment.duration();
+    segments_.push_back(segment);
   }
 }
 
-JointTrajectory::Point JointTrajectory::At(double t) const {
-  const auto end = std::ranges::upper_bound(ends_, t);
-  if (end == ends_.end()) return {waypoints_.back(), Joints::Zero()};
-  if (end == ends_.begin()) return {waypoints_.front(), Joints::Zero()};
-  const auto i = static_cast<size_t>(end - ends_.begin());
-  const double duration = ends_[i] - ends_[i - 1];
-  const double s = (t - ends_[i - 1]) / duration;
-  const Joints way = waypoints_[i] - waypoints_[i - 1];
-  return {waypoints_[i - 1] + s * s * s * (10 + s * (-15 + 6 * s)) * way,
-          30 * s * s * (1 + s * (-2 + s)) / duration * way};
+JointTrajectory::Sample JointTrajectory::At(double t) const {
+  if (t <= 0 || segments_.empty()) return {start_, Joints::Zero()};
+  if (t >= duration_) return {goal_, Joints::Zero()};
+  const auto after =
+      std::ranges::upper_bound(segments_, t, {}, &Segment::begin);
+  const Segment& segment = *std::prev(after);
+  const double since = t - segment.begin;
+  const double left = segment.duration() - since;
+  const double a = segment.acceleration, ramp = segment.ramp;
+  double s = 0, ds = 0;
+  if (since < ramp) {
+    s = a * since * since / 2;
+    ds = a * since;
+  } else if (left < ramp) {
+    s = 1 - a * left * left / 2;
+    ds = a * left;
+  } else {
+    s = a * ramp * (since - ramp / 2);
+    ds = a * ramp;
+  }
+  return {segment.from + s * segment.way, ds * segment.way};
 }
 
 }  // namespace cell

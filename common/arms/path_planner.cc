@@ -10,137 +10,240 @@
 namespace cell {
 namespace {
 
-using Path = std::vector<Joints>;
+// Joints that were reached, each from its parent.
+class Tree {
+ public:
+  void AddRoot(const Joints& q) { nodes_.push_back({q, kNone}); }
+  void Add(const Joints& q, size_t parent) { nodes_.push_back({q, parent}); }
 
-double Way(const Joints& a, const Joints& b) {
-  return (b - a).cwiseAbs().maxCoeff();
-}
+  size_t size() const { return nodes_.size(); }
+  const Joints& at(size_t node) const { return nodes_[node].q; }
 
-struct Tree {
-  struct Node {
-    Joints q;
-    int parent;
-  };
-  std::vector<Node> nodes;
-
-  explicit Tree(const Joints& root) : nodes{{root, -1}} {}
-
-  int Nearest(const Joints& q) const {
-    int nearest = 0;
+  size_t NearestTo(const Joints& q) const {
+    size_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < nodes.size(); ++i) {
-      const double distance = (nodes[i].q - q).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
-      nearest = static_cast<int>(i);
+    for (size_t i = 0; i < nodes_.size(); ++i) {
+      const double square = (nodes_[i].q - q).squaredNorm();
+      if (square < least) {
+        least = square;
+        nearest = i;
+      }
     }
     return nearest;
   }
-  /// From the root to the node.
-  Path PathTo(int node) const {
-    Path path;
-    for (; node >= 0; node = nodes[static_cast<size_t>(node)].parent) {
-      path.push_back(nodes[static_cast<size_t>(node)].q);
+
+  // From the node to its root.
+  std::vector<Joints> WayToRoot(size_t node) const {
+    std::vector<Joints> way;
+    for (; node != kNone; node = nodes_[node].parent) {
+      way.push_back(nodes_[node].q);
     }
-    std::ranges::reverse(path);
-    return path;
+    return way;
   }
+
+ private:
+  static constexpr size_t kNone = std::numeric_limits<size_t>::max();
+  struct Node {
+    Joints q;
+    size_t parent;
+  };
+  std::vector<Node> nodes_;
 };
 
-/// Grows the tree from its nearest node towards `q` by at most `reach`; the
-/// new node, -1 if the way is blocked.
-template <class IsStraightFree>
-int Grow(Tree& tree, const Joints& q, double reach,
-         const IsStraightFree& is_straight_free) {
-  const int nearest = tree.Nearest(q);
-  const Joints from = tree.nodes[static_cast<size_t>(nearest)].q;
-  const double way = Way(from, q);
-  const Joints to =
-      way <= reach ? q : Joints(from + (reach / way) * (q - from));
-  if (!is_straight_free(from, to)) return -1;
-  tree.nodes.push_back({to, nearest});
-  return static_cast<int>(tree.nodes.size()) - 1;
-}
+class Search {
+ public:
+  Search(const WhyBlockedAt& why_blocked, const PathPlannerParams& params)
+      : why_blocked_(why_blocked), params_(params), random_(params.seed) {}
 
-template <class IsStraightFree>
-std::optional<Path> Connect(const Joints& from, const Joints& to,
-                            const PathPlanner::Params& params,
-                            std::mt19937_64& random,
-                            const IsStraightFree& is_straight_free) {
-  Tree trees[2] = {Tree(from), Tree(to)};
-  int grown = 0;  // the tree whose turn it is
-  for (int i = 0; i < params.max_tries; ++i) {
-    Joints q;
-    for (int j = 0; j < 6; ++j) {
-      const double low = std::min(from[j], to[j]) - params.margin;
-      const double high = std::max(from[j], to[j]) + params.margin;
-      q[j] = std::uniform_real_distribution<double>(
-          std::max(low, -ur5::kJointLimit),
-          std::min(high, ur5::kJointLimit))(random);
-    }
-    const int reached = Grow(trees[grown], q, params.reach, is_straight_free);
-    if (reached < 0) continue;
-    const Joints target = trees[grown].nodes.back().q;
-    int met = 0;
-    while ((met = Grow(trees[1 - grown], target, params.reach,
-                       is_straight_free)) >= 0) {
-      if (trees[1 - grown].nodes.back().q != target) continue;
-      Path path = trees[0].PathTo(grown == 0 ? reached : met);
-      Path rest = trees[1].PathTo(grown == 0 ? met : reached);
-      std::ranges::reverse(rest);
-      path.insert(path.end(), rest.begin() + 1, rest.end());
-      return path;
-    }
-    grown = 1 - grown;
+  bool IsFree(const Joints& a, const Joints& b) const {
+    return !WhyEdgeBlocked(a, b, why_blocked_, params_);
   }
-  return std::nullopt;
+
+  std::vector<Joints> GrowTrees(const Joints& start,
+                                const std::vector<Joints>& goals) {
+    Tree from_start, from_goals;
+    from_start.AddRoot(start);
+    for (const Joints& goal : goals) from_goals.AddRoot(goal);
+    Tree* growing = &from_start;
+    Tree* other = &from_goals;
+    for (int i = 0; i < params_.max_iterations; ++i) {
+      if (GrowTowards(growing, Sample(start, goals))) {
+        const size_t tip = growing->size() - 1;
+        if (Connect(other, growing->at(tip))) {
+          return Joined(from_start, from_goals,
+                        growing == &from_start ? tip : from_start.size() - 1,
+                        growing == &from_start ? from_goals.size() - 1 : tip);
+        }
+      }
+      std::swap(growing, other);
+    }
+    return {};
+  }
+
+  // Replaces what lies between two random points of the path by a straight
+  // line where that is free.
+  void Shorten(std::vector<Joints>* path) {
+    for (int i = 0; i < params_.shortcut_rounds && path->size() > 2; ++i) {
+      const Cut a = RandomCut(*path), b = RandomCut(*path);
+      const Cut& first = a.edge < b.edge ? a : b;
+      const Cut& last = a.edge < b.edge ? b : a;
+      if (first.edge == last.edge || !IsFree(first.q, last.q)) continue;
+      std::vector<Joints> shorter(path->begin(),
+                                  path->begin() + first.edge + 1);
+      shorter.push_back(first.q);
+      shorter.push_back(last.q);
+      shorter.insert(shorter.end(), path->begin() + last.edge + 1, path->end());
+      *path = std::move(shorter);
+    }
+    SkipWaypoints(path);
+  }
+
+ private:
+  struct Cut {
+    std::ptrdiff_t edge;
+    Joints q;
+  };
+
+  Cut RandomCut(const std::vector<Joints>& path) {
+    std::uniform_int_distribution<size_t> edge(0, path.size() - 2);
+    std::uniform_real_distribution<double> share(0, 1);
+    const size_t i = edge(random_);
+    const double s = share(random_);
+    return {static_cast<std::ptrdiff_t>(i),
+            (1 - s) * path[i] + s * path[i + 1]};
+  }
+
+  // Every waypoint means a stop: the fewer the better.
+  void SkipWaypoints(std::vector<Joints>* path) const {
+    for (size_t i = 0; i + 2 < path->size(); ++i) {
+      for (size_t j = path->size() - 1; j > i + 1; --j) {
+        if (!IsFree((*path)[i], (*path)[j])) continue;
+        const auto begin = path->begin() + static_cast<std::ptrdiff_t>(i);
+        path->erase(begin + 1, path->begin() + static_cast<std::ptrdiff_t>(j));
+        break;
+      }
+    }
+  }
+
+  // Uniform about the way from start to goals: far turns are of no use.
+  Joints Sample(const Joints& start, const std::vector<Joints>& goals) {
+    constexpr double kRoom = 1.2;  // [rad]
+    const double limit = ur5::kJointLimit - params_.joint_margin;
+    std::uniform_int_distribution<size_t> choice(0, goals.size() - 1);
+    const Joints& goal = goals[choice(random_)];
+    Joints q;
+    for (int i = 0; i < 6; ++i) {
+      const double low = std::min(start[i], goal[i]) - kRoom;
+      const double high = std::max(start[i], goal[i]) + kRoom;
+      q[i] = std::uniform_real_distribution<double>(
+          std::max(low, -limit), std::min(high, limit))(random_);
+    }
+    return q;
+  }
+
+  // True if the tree grew.
+  bool GrowTowards(Tree* tree, const Joints& q) const {
+    const size_t nearest = tree->NearestTo(q);
+    const Joints from = tree->at(nearest);
+    const double way = (q - from).cwiseAbs().maxCoeff();
+    if (way == 0) return false;
+    const Joints to =
+        from + std::min(1.0, params_.tree_step / way) * (q - from);
+    if (!IsFree(from, to)) return false;
+    tree->Add(to, nearest);
+    return true;
+  }
+
+  // Grows until it reaches q or is blocked.
+  bool Connect(Tree* tree, const Joints& q) const {
+    while (GrowTowards(tree, q)) {
+      if ((tree->at(tree->size() - 1) - q).cwiseAbs().maxCoeff() < 1e-9) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static std::vector<Joints> Joined(const Tree& from_start,
+                                    const Tree& from_goals, size_t start_tip,
+                                    size_t goal_tip) {
+    std::vector<Joints> path = from_start.WayToRoot(start_tip);
+    std::ranges::reverse(path);
+    const std::vector<Joints> rest = from_goals.WayToRoot(goal_tip);
+    path.insert(path.end(), rest.begin() + 1, rest.end());
+    return path;
+  }
+
+  const WhyBlockedAt& why_blocked_;
+  const PathPlannerParams& params_;
+  std::mt19937_64 random_;
+};
+
+size_t IndexOf(const std::vector<Joints>& goals, const Joints& q) {
+  return static_cast<size_t>(std::ranges::find(goals, q) - goals.begin());
 }
 
 }  // namespace
 
-bool PathPlanner::IsStraightFree(const Joints& a, const Joints& b,
-                                 const IsFree& is_free) const {
+std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
+                                          const WhyBlockedAt& why_blocked,
+                                          const PathPlannerParams& params) {
+  const double way = Joints(params.levers.data()).dot((b - a).cwiseAbs());
   const int num =
-      std::max(1, static_cast<int>(std::ceil(Way(a, b) / params_.step)));
-  for (int i = 1; i <= num; ++i) {
-    if (!is_free(a + (static_cast<double>(i) / num) * (b - a))) return false;
+      std::max(1, static_cast<int>(std::ceil(way / params.tip_step)));
+  // The end first: it is where most edges fail.
+  for (int i = num; i >= 1; --i) {
+    const double share = static_cast<double>(i) / num;
+    if (auto why = why_blocked(a + share * (b - a))) return why;
   }
-  return true;
+  return std::nullopt;
 }
 
-std::optional<Path> PathPlanner::Find(const Joints& from, const Joints& to,
-                                      const Path& via,
-                                      const IsFree& is_free) const {
-  const auto is_straight_free = [&](const Joints& a, const Joints& b) {
-    return IsStraightFree(a, b, is_free);
+WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
+                      const ArmPosture& posture, const ClearanceRule& rule) {
+  return [=](const Joints& q) {
+    return scene.WhyBlocked(arm, {q, posture.grip, posture.opening}, rule);
   };
-  if (!is_free(to)) return std::nullopt;
-  if (is_straight_free(from, to)) return Path{from, to};
-  for (const Joints& q : via) {
-    if (is_straight_free(from, q) && is_straight_free(q, to)) {
-      return Path{from, q, to};
+}
+
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked,
+                   const PathPlannerParams& params) {
+  if (goals.empty()) return {{}, 0, "there is no goal"};
+  if (const auto why = why_blocked(start)) {
+    return {{}, 0, "where it stands, " + *why};
+  }
+  std::vector<Joints> open;
+  std::string reason;
+  for (const Joints& goal : goals) {
+    const auto why = why_blocked(goal);
+    if (!why) open.push_back(goal);
+    if (why && reason.empty()) reason = "at the goal, " + *why;
+  }
+  if (open.empty()) return {{}, 0, reason};
+
+  Search search(why_blocked, params);
+  for (const Joints& goal : open) {
+    if (search.IsFree(start, goal)) {
+      return {{start, goal}, IndexOf(goals, goal), ""};
     }
   }
-  for (const Joints& a : via) {
-    if (!is_straight_free(from, a)) continue;
-    for (const Joints& b : via) {
-      if (a != b && is_straight_free(b, to) && is_straight_free(a, b)) {
-        return Path{from, a, b, to};
+  for (const Joints& via : vias) {
+    if (!search.IsFree(start, via)) continue;
+    for (const Joints& goal : open) {
+      if (search.IsFree(via, goal)) {
+        return {{start, via, goal}, IndexOf(goals, goal), ""};
       }
     }
   }
-  std::mt19937_64 random(params_.seed);
-  auto path = Connect(from, to, params_, random, is_straight_free);
-  if (!path) return std::nullopt;
-  for (int i = 0; i < params_.num_shortcuts && path->size() > 2; ++i) {
-    std::uniform_int_distribution<size_t> draw(0, path->size() - 1);
-    size_t a = draw(random), b = draw(random);
-    if (a > b) std::swap(a, b);
-    if (b - a < 2 || !is_straight_free((*path)[a], (*path)[b])) continue;
-    path->erase(path->begin() + static_cast<std::ptrdiff_t>(a) + 1,
-                path->begin() + static_cast<std::ptrdiff_t>(b));
+  std::vector<Joints> path = search.GrowTrees(start, open);
+  if (path.empty()) {
+    const auto why = WhyEdgeBlocked(start, open.front(), why_blocked, params);
+    return {{}, 0, "no way around: " + why.value_or("the goal")};
   }
-  return path;
+  search.Shorten(&path);
+  return {path, IndexOf(goals, path.back()), ""};
 }
 
 }  // namespace cell

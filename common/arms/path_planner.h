@@ -1,41 +1,59 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "common/arms/arm_scene.h"
 #include "common/layout/arm_layout.h"
 
 namespace cell {
 
-/// Finds a way for an arm through its joint space: straight, by way of one or
-/// two of the postures offered, or by RRT-Connect (Kuffner and LaValle, 2000),
-/// then shortened. The same question gives the same answer.
-class PathPlanner {
- public:
-  struct Params {
-    double step = 0.04;    ///< [rad] of the fastest joint, between two looks
-    double reach = 0.35;   ///< [rad] that a tree grows by
-    double margin = 1.2;   ///< [rad] beyond start and goal that is searched
-    int max_tries = 3000;  ///< to grow a tree
-    int num_shortcuts = 60;
-    uint64_t seed = 1;
-  };
-  using IsFree = std::function<bool(const Joints&)>;
+/// Why an arm may not stand so; nothing if it may.
+using WhyBlockedAt = std::function<std::optional<std::string>(const Joints&)>;
 
-  explicit PathPlanner(const Params& params) : params_(params) {}
-
-  /// Waypoints from `from` to `to`, both among them; nothing if none is found.
-  std::optional<std::vector<Joints>> Find(const Joints& from, const Joints& to,
-                                          const std::vector<Joints>& via,
-                                          const IsFree& is_free) const;
-
- private:
-  bool IsStraightFree(const Joints& a, const Joints& b,
-                      const IsFree& is_free) const;
-
-  Params params_;
+struct PathPlannerParams {
+  /// [m] by which the fingertips move, at most and about, between two checks:
+  /// less than twice the clearance that the checks want, and nothing is missed.
+  double tip_step = 0.015;
+  /// [m] Of the fingertips about each axis.
+  std::array<double, 6> levers = {0.90, 0.90, 0.75, 0.45, 0.40, 0.15};
+  double tree_step = 0.35;    ///< [rad] by which a tree grows
+  int max_iterations = 2000;  ///< of the trees
+  int shortcut_rounds = 60;
+  double joint_margin = 0.05;  ///< [rad] kept from the limits
+  uint64_t seed = 1;
 };
+
+/// A way through joint space, or why there is none.
+struct JointPath {
+  std::vector<Joints> waypoints;  ///< from start to goal; none if there is none
+  size_t goal = 0;                ///< index of the goal it leads to
+  std::string reason;             ///< empty if there is one
+  explicit operator bool() const { return !waypoints.empty(); }
+};
+
+/// Nothing if the straight line from `a` to `b` is free, else what is first in
+/// its way. `a` itself is not looked at.
+std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
+                                          const WhyBlockedAt& why_blocked,
+                                          const PathPlannerParams& params = {});
+
+/// Asks the scene, as it is now, about an arm whose hand stays as in `posture`.
+WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
+                      const ArmPosture& posture, const ClearanceRule& rule);
+
+/// A free path from `start` to the first of the goals, best first, that has
+/// one: straight; through one of `vias`, e.g. a raised posture; or, to any
+/// goal, by two trees that grow towards each other (RRT-Connect, Kuffner and
+/// LaValle 2000), smoothed by shortcuts. A function of its arguments: chance is
+/// drawn from the seed.
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked,
+                   const PathPlannerParams& params = {});
 
 }  // namespace cell

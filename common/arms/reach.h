@@ -1,88 +1,117 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "common/arms/arm_scene.h"
+#include "common/arms/straight_line.h"
 
 namespace cell {
 
-/// How an arm can take a part.
-struct Pick {
+struct ReachParams {
+  double approach = 0.080;     ///< [m] straight before a grasp
+  double open_margin = 0.024;  ///< [m] wider than the part before a grasp
+  double clearance = 0.002;    ///< [m] along the straight ways
+  /// [m] What is nearer to a part where it stands may be grazed by it on its
+  /// straight way there and from there.
+  double touching = 0.005;
+  size_t max_choices = 8;  ///< the search ends with so many
+  int free_turns =
+      24;  ///< copies tried of a part that any turn leaves as it is
+  StraightLineParams line;
+};
+
+/// One way to take a part.
+struct GraspChoice {
+  size_t grasp = 0;    ///< index in Part::grasps
+  std::string grip;    ///< of the arm's HandType
+  double opening = 0;  ///< [m] on the way there
+  double width = 0;    ///< [m] closed on the part
   Eigen::Isometry3d X_OG = Eigen::Isometry3d::Identity();
-  std::string grip;
-  double width = 0;    ///< [m] between the fingers
-  double opening = 0;  ///< [m] to come there with
-  Joints q_approach = Joints::Zero(), q_grasp = Joints::Zero();
+  Joints q_approach = Joints::Zero();
+  Joints q_grasp = Joints::Zero();
+  double cost = 0;  ///< the smaller the better
 };
 
-/// Where a held part is to go.
-struct PlaceGoal {
+/// One way to bring a held part to its target.
+struct PlaceChoice {
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();  ///< a like target
+  Joints q_approach = Joints::Zero();
+  Joints q_place = Joints::Zero();
+  Joints q_turned = Joints::Zero();  ///< after PlaceTarget::turn
+  double cost = 0;
+};
+
+/// Where a held part shall go: along -way_out over `approach` to X_WO.
+struct PlaceTarget {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d way_out = Eigen::Vector3d::UnitZ();  ///< unit, in W
-  double approach = 0;     ///< [m] along it, from where the way is straight
-  int symmetry_order = 1;  ///< turns about z of O that make no difference
-  /// [rad] that the part is turned by at the end, clockwise seen along -z of
-  /// its O, by the last joint.
+  Eigen::Vector3d way_out = Eigen::Vector3d::UnitZ();  ///< in W, unit
+  double approach = 0.100;                             ///< [m]
+  /// [rad] turned by afterwards about way_out, right-hand, by joint 6; what is
+  /// screwed in goes -405 deg. Only placements with that much room are found,
+  /// clear all around.
   double turn = 0;
-  /// At a site: the part touches others there. Else it stands free.
-  bool is_site = true;
 };
 
-/// How an arm can bring a part there.
-struct Place {
-  /// A turn about z of O that leaves the part as it is.
-  Eigen::Isometry3d X_turn = Eigen::Isometry3d::Identity();
-  Joints q_approach = Joints::Zero(), q_place = Joints::Zero();
+/// To take a part so that it can be placed.
+struct TransferChoice {
+  GraspChoice grasp;
+  PlaceChoice place;
+  bool is_same_branch = false;
 };
 
-/// Answers what an arm can take and where it can bring it: by every grasp of
-/// the part, turned and unturned, in every branch of the inverse kinematics,
-/// along straight ways within limits, among what is there.
+/// Best first; if there is none, why, e.g. "out of reach".
+template <class Choice>
+struct Choices {
+  std::vector<Choice> list;
+  std::string reason;
+  explicit operator bool() const { return !list.empty(); }
+};
+
+/// Which ways an arm has to take parts and to place them, among what stands in
+/// the scene. Each is within the joint limits and the arm's workspace, regular,
+/// without collision, and straight from approach to end. Near `seed` and far
+/// from the limits is better.
 class Reach {
  public:
-  struct Params {
-    double approach = 0.10;          ///< [m] straight way to a grasp
-    double open_margin = 0.014;      ///< [m] each finger, beyond the part
-    double clearance = 0.008;        ///< [m] on the way
-    double near_clearance = 0.0015;  ///< [m] at a grasp or a site
-    double apart = 0.012;            ///< [m] around a part that is set down
-    double dexterity = 0.2;          ///< least one, on straight ways
-  };
-  template <class T>
-  using OrReason = std::variant<T, std::string>;
+  /// @throws std::invalid_argument if there is no such arm.
+  Reach(const ArmScene& scene, const std::string& arm,
+        const ReachParams& params = {});
 
-  /// All must outlive this object.
-  Reach(const ArmScene& scene, const PartTable& parts, const Params& params)
-      : scene_(scene), parts_(parts), params_(params) {}
-
-  /// All ways to take the part, those with the least way from `seed` first, or
-  /// why there is none.
-  OrReason<std::vector<Pick>> Picks(const std::string& part, const Joints& seed,
-                                    bool only_fixed = false) const;
-  /// The same for placing what is held with X_GO.
-  OrReason<std::vector<Place>> Places(const ArmScene::Held& held,
-                                      const std::string& grip, double width,
-                                      const PlaceGoal& goal,
-                                      const Joints& seed) const;
-  /// The best way to take the part from which it can also be placed.
-  OrReason<Pick> PickToPlace(const std::string& part, const PlaceGoal& goal,
-                             const Joints& seed) const;
+  /// Of a part that stands in the scene. Every grasp of the table, and its copy
+  /// turned by pi about z of G, for which the hand knows a grip and opens wide
+  /// enough.
+  Choices<GraspChoice> Grasps(const std::string& part,
+                              const Joints& seed) const;
+  /// Of a part held as X_GO by `grip` closed to `width`; symmetric parts may
+  /// arrive in any way that looks the same.
+  Choices<PlaceChoice> Placements(const std::string& part,
+                                  const Eigen::Isometry3d& X_GO,
+                                  const std::string& grip, double width,
+                                  const PlaceTarget& target,
+                                  const Joints& seed) const;
+  /// Grasps that allow the placement, those in one branch of the inverse
+  /// kinematics first; at most `max_choices`.
+  Choices<TransferChoice> Transfers(const std::string& part,
+                                    const PlaceTarget& target,
+                                    const Joints& seed,
+                                    size_t max_choices = 4) const;
 
  private:
-  struct Ways;
-  std::optional<Joints> FollowLine(const Joints& q,
-                                   const Eigen::Isometry3d& X_WG_from,
-                                   const Eigen::Isometry3d& X_WG_to) const;
-  std::vector<Joints> Solutions(const Eigen::Isometry3d& X_WG,
-                                const Joints& seed) const;
+  /// When the fingers close on the part.
+  ClearanceRule Closing(const std::string& part, const std::string& grip) const;
+  /// When the part, held, leaves X_WO or gets there.
+  ClearanceRule Grazing(const std::string& part,
+                        const Eigen::Isometry3d& X_WO) const;
 
-  const ArmScene& scene_;
-  const PartTable& parts_;
-  Params params_;
+  ArmScene scene_;
+  std::string arm_name_;
+  const ArmLayout* arm_;  ///< in the scene's layout
+  ReachParams params_;
 };
+
+/// The target of a part at a site whose host stands at X_WH.
+PlaceTarget TargetAt(const Site& site, const Eigen::Isometry3d& X_WH);
 
 }  // namespace cell

@@ -2,150 +2,180 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace cell::ur5 {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
-using Eigen::Translation3d;
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kD1 = 0.089159, kD4 = 0.10915, kD5 = 0.09465, kD6 = 0.0823;
-constexpr double kA2 = -0.425, kA3 = -0.39225;
-constexpr std::array<double, 6> kD = {kD1, 0, 0, kD4, kD5, kD6};
-constexpr std::array<double, 6> kA = {0, kA2, kA3, 0, 0, 0};
-constexpr std::array<double, 6> kAlpha = {kPi / 2, 0, 0, kPi / 2, -kPi / 2, 0};
-constexpr double kExact = 1e-6;  // [m], [rad] of an inverse
+constexpr double kTiny = 1e-9;
 
-/// X from the link before joint i to the link behind it.
-Isometry3d LinkStep(size_t i, double angle) {
-  return Isometry3d(AngleAxisd(angle, Vector3d::UnitZ())) *
-         Translation3d(kA[i], 0, kD[i]) *
-         AngleAxisd(kAlpha[i], Vector3d::UnitX());
+struct DhRow {
+  double d, a, sin_alpha, cos_alpha;
+};
+constexpr std::array<DhRow, 6> kRows = {{{kD1, 0, 1, 0},
+                                         {0, kA2, 0, 1},
+                                         {0, kA3, 0, 1},
+                                         {kD4, 0, 1, 0},
+                                         {kD5, 0, -1, 0},
+                                         {kD6, 0, 0, 1}}};
+
+// Rz(angle) Tz(d) Tx(a) Rx(alpha).
+Isometry3d DhTransform(const DhRow& row, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Isometry3d X = Isometry3d::Identity();
+  X.linear() << c, -s * row.cos_alpha, s * row.sin_alpha,  //
+      s, c * row.cos_alpha, -c * row.sin_alpha,            //
+      0, row.sin_alpha, row.cos_alpha;
+  X.translation() << row.a * c, row.a * s, row.d;
+  return X;
 }
 
+// In [-pi, pi].
 double Wrapped(double angle) {
   return std::remainder(angle, 2 * kPi);
 }
 
-bool IsSame(const Isometry3d& X, const Isometry3d& Y) {
-  return (X.matrix() - Y.matrix()).cwiseAbs().maxCoeff() < kExact;
+// How far the wrist is in front of axis 1, in the plane that the arm moves in.
+double ReachOf(const Joints& q) {
+  return -kA2 * std::cos(q[1]) - kA3 * std::cos(q[1] + q[2]) -
+         kD5 * std::sin(q[1] + q[2] + q[3]);
 }
 
-/// Joints 2 to 4 for the rest, which is a planar arm of two links.
-void SolvePlane(const Isometry3d& X_BF, double q1, double q5, double q6,
-                std::vector<Joints>& solutions) {
-  const Isometry3d X_14 = LinkStep(0, q1).inverse() * X_BF *
-                          (LinkStep(4, q5) * LinkStep(5, q6)).inverse();
-  const Vector3d p = X_14 * Vector3d(0, -kD4, 0);
-  const double reach2 = p.x() * p.x() + p.y() * p.y();
-  const double cos3 = (reach2 - kA2 * kA2 - kA3 * kA3) / (2 * kA2 * kA3);
-  if (std::abs(cos3) > 1 + 1e-12) return;
-  const double elbow = std::acos(std::clamp(cos3, -1.0, 1.0));
+// The planar arm of links a2 and a3 that ends at `p` in frame 1 and turns by
+// `sum` = q2 + q3 + q4: none, one or two solutions.
+void SolvePlanar(const Vector3d& p, double sum, Joints q,
+                 std::vector<Joints>* solutions) {
+  const double square = p.x() * p.x() + p.y() * p.y();
+  const double cosine = (square - kA2 * kA2 - kA3 * kA3) / (2 * kA2 * kA3);
+  if (std::abs(cosine) > 1 + kTiny) return;
+  const double elbow = std::acos(std::clamp(cosine, -1.0, 1.0));
   for (const double q3 : {elbow, -elbow}) {
-    const double q2 = std::atan2(p.y(), p.x()) -
-                      std::atan2(kA3 * std::sin(q3), kA2 + kA3 * std::cos(q3));
-    const Isometry3d X_34 =
-        (LinkStep(1, q2) * LinkStep(2, q3)).inverse() * X_14;
-    const double q4 = std::atan2(X_34(1, 0), X_34(0, 0));
-    Joints q;
-    q << Wrapped(q1), Wrapped(q2), Wrapped(q3), Wrapped(q4), Wrapped(q5),
-        Wrapped(q6);
-    if (IsSame(FlangePose(q), X_BF)) solutions.push_back(q);
+    q[2] = q3;
+    // p = (a2 + a3 e^{i q3}) e^{i q2}, in the plane's complex numbers.
+    q[1] = Wrapped(std::atan2(p.y(), p.x()) -
+                   std::atan2(kA3 * std::sin(q3), kA2 + kA3 * std::cos(q3)));
+    q[3] = Wrapped(sum - q[1] - q[2]);
+    solutions->push_back(q);
+    if (elbow == 0) break;
   }
 }
 
 }  // namespace
 
 std::array<Isometry3d, 6> LinkPoses(const Joints& q) {
-  std::array<Isometry3d, 6> poses;
-  Isometry3d X = Isometry3d::Identity();
+  std::array<Isometry3d, 6> X;
+  Isometry3d X_BL = Isometry3d::Identity();
   for (size_t i = 0; i < 6; ++i) {
-    X = X * LinkStep(i, q[static_cast<Eigen::Index>(i)]);
-    poses[i] = X;
+    X_BL = X_BL * DhTransform(kRows[i], q[static_cast<int>(i)]);
+    X[i] = X_BL;
   }
-  return poses;
+  return X;
 }
 
 Isometry3d FlangePose(const Joints& q) {
   return LinkPoses(q)[5];
 }
 
-Eigen::Matrix<double, 6, 6> Jacobian(const Joints& q) {
-  const auto poses = LinkPoses(q);
-  const Vector3d p = poses[5].translation();
-  Eigen::Matrix<double, 6, 6> J;
+JacobianMatrix Jacobian(const Joints& q) {
+  const auto X = LinkPoses(q);
+  const Vector3d p_BF = X[5].translation();
+  JacobianMatrix J;
   Vector3d axis = Vector3d::UnitZ(), origin = Vector3d::Zero();
-  for (int i = 0; i < 6; ++i) {
-    J.block<3, 1>(0, i) = axis;
-    J.block<3, 1>(3, i) = axis.cross(p - origin);
-    axis = poses[static_cast<size_t>(i)].linear().col(2);
-    origin = poses[static_cast<size_t>(i)].translation();
+  for (int i = 0; i < 6; ++i) {  // joint i turns about z of the frame before
+    J.col(i) << axis, axis.cross(p_BF - origin);
+    axis = X[static_cast<size_t>(i)].linear().col(2);
+    origin = X[static_cast<size_t>(i)].translation();
   }
   return J;
 }
 
-std::vector<Joints> Inverse(const Isometry3d& X_BF) {
+std::vector<Joints> SolveInverse(const Isometry3d& X_BF, double q6_if_free) {
   std::vector<Joints> solutions;
-  const Eigen::Matrix3d R = X_BF.linear();
+  const Matrix3d& R = X_BF.linear();
   const Vector3d p = X_BF.translation();
-  const Vector3d wrist = p - kD6 * R.col(2);  // origin of frame 5
-  const double radius = wrist.head<2>().norm();
-  if (radius < kD4) return solutions;
-  const double towards = std::atan2(wrist.y(), wrist.x());
-  const double beside = std::acos(std::min(1.0, kD4 / radius));
-  for (const double q1 :
-       {towards + beside + kPi / 2, towards - beside + kPi / 2}) {
+  const Vector3d p5 = p - kD6 * R.col(2);  // origin of frame 5
+  // Seen from above p5 lies d4 beside the plane of axes 2, 3 and 4:
+  // p5.x sin q1 - p5.y cos q1 = d4.
+  const double rho = std::hypot(p5.x(), p5.y());
+  if (rho < kD4 - kTiny || rho == 0) return solutions;
+  const double azimuth = std::atan2(p5.y(), p5.x());
+  const double side = std::asin(std::min(kD4 / rho, 1.0));
+  Joints q = Joints::Zero();
+  for (const double q1 : {azimuth + side, azimuth + kPi - side}) {
+    q[0] = Wrapped(q1);
     const double s1 = std::sin(q1), c1 = std::cos(q1);
-    const double cos5 = (p.x() * s1 - p.y() * c1 - kD4) / kD6;
-    if (std::abs(cos5) > 1 + 1e-12) continue;
-    const double fold = std::acos(std::clamp(cos5, -1.0, 1.0));
-    for (const double q5 : {fold, -fold}) {
+    const Vector3d z1(s1, -c1, 0);
+    // z6 . z1 = cos q5
+    const double cosine = std::clamp(R.col(2).dot(z1), -1.0, 1.0);
+    const double wrist = std::atan2((R.col(2) - cosine * z1).norm(), cosine);
+    for (const double q5 : {wrist, -wrist}) {
+      q[4] = q5;
       const double s5 = std::sin(q5);
-      // With joints 4 and 6 in line any split of their sum will do.
-      const double q6 = std::abs(s5) < 1e-9
-                            ? 0
-                            : std::atan2((-R(0, 1) * s1 + R(1, 1) * c1) / s5,
-                                         (R(0, 0) * s1 - R(1, 0) * c1) / s5);
-      SolvePlane(X_BF, q1, q5, q6, solutions);
+      const bool is_free = std::abs(s5) < 1e-7;
+      // x6 . z1 = s5 c6 and y6 . z1 = -s5 s6
+      q[5] = is_free
+                 ? q6_if_free
+                 : std::atan2(-R.col(1).dot(z1) / s5, R.col(0).dot(z1) / s5);
+      const Isometry3d X_46 =
+          DhTransform(kRows[4], q5) * DhTransform(kRows[5], q[5]);
+      const Isometry3d X_14 =
+          DhTransform(kRows[0], q1).inverse() * X_BF * X_46.inverse();
+      // x4 in frame 1 is (cos, sin, 0) of q2 + q3 + q4; origin 4 lies d4 along
+      // z1 from origin 3.
+      const double sum = std::atan2(X_14(1, 0), X_14(0, 0));
+      SolvePlanar(X_14.translation(), sum, q, &solutions);
+      if (is_free) break;
     }
+    if (rho <= kD4) break;
   }
   return solutions;
 }
 
-Joints Nearest(const Joints& q, const Joints& seed) {
-  Joints nearest;
+Joints NearestTo(const Joints& seed, const Joints& q) {
+  constexpr double kTurn = 2 * kPi;
+  Joints nearest = q;
   for (int i = 0; i < 6; ++i) {
-    double angle = seed[i] + Wrapped(q[i] - seed[i]);
-    if (angle > kJointLimit) angle -= 2 * kPi;
-    if (angle < -kJointLimit) angle += 2 * kPi;
-    nearest[i] = angle;
+    double& angle = nearest[i];
+    angle += kTurn * std::round((seed[i] - angle) / kTurn);
+    if (angle > kJointLimit) angle -= kTurn;
+    if (angle < -kJointLimit) angle += kTurn;
   }
   return nearest;
 }
 
-std::optional<Joints> InverseNear(const Isometry3d& X_BF, const Joints& seed,
-                                  double max_step) {
-  std::optional<Joints> best;
-  double least = max_step;
-  for (const Joints& solution : Inverse(X_BF)) {
-    const Joints q = Nearest(solution, seed);
-    const double step = (q - seed).cwiseAbs().maxCoeff();
-    if (step > least) continue;
-    least = step;
-    best = q;
-  }
-  return best;
+bool IsWithinLimits(const Joints& q) {
+  return LimitMargin(q) >= 0;
 }
 
-double Dexterity(const Joints& q) {
-  constexpr double kFarFromShoulder = 0.46;
-  const double wrist =
-      LinkPoses(q)[4].translation().head<2>().norm() / kFarFromShoulder;
-  return std::min({std::abs(std::sin(q[2])), std::abs(std::sin(q[4])), wrist});
+double LimitMargin(const Joints& q) {
+  return kJointLimit - q.cwiseAbs().maxCoeff();
+}
+
+Branch BranchOf(const Joints& q) {
+  return {ReachOf(q) < 0, std::sin(q[2]) < 0, std::sin(q[4]) < 0};
+}
+
+Regularity RegularityOf(const Joints& q) {
+  Regularity regularity;
+  regularity.elbow = std::sin(q[2]);
+  regularity.wrist = std::sin(q[4]);
+  regularity.reach = ReachOf(q);
+  regularity.determinant = std::abs(kA2 * kA3 * regularity.elbow *
+                                    regularity.wrist * regularity.reach);
+  regularity.wrist_distance = std::hypot(kD4, regularity.reach);
+  return regularity;
+}
+
+bool IsRegular(const Joints& q, const RegularityBounds& bounds) {
+  const Regularity regularity = RegularityOf(q);
+  return std::abs(regularity.elbow) > bounds.min_sine &&
+         std::abs(regularity.wrist) > bounds.min_sine &&
+         regularity.determinant > bounds.min_determinant &&
+         regularity.wrist_distance > bounds.min_wrist_distance;
 }
 
 }  // namespace cell::ur5

@@ -52,6 +52,9 @@ CellLayout CellLayout::FromConfig(const Config& config) {
     }
     std::ranges::sort(layout.arms, {}, &ArmLayout::name);
   }
+  if (config.Has("cameras")) {
+    layout.cameras = CameraLayout::FromConfig(config["cameras"]);
+  }
   config.Finish();
   return layout;
 }

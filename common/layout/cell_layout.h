@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/config/config.h"
 #include "common/layout/arm_layout.h"
+#include "common/layout/camera_layout.h"
 #include "common/layout/hand_type.h"
 
 namespace cell {
@@ -50,6 +52,7 @@ struct CellLayout {
   PartsArea parts_area;
   std::vector<Hand> hands;      ///< persons'
   std::vector<ArmLayout> arms;  ///< by name
+  std::optional<CameraLayout> cameras;
 };
 
 }  // namespace cell

@@ -55,6 +55,17 @@ Thread ThreadFromConfig(const Config& config) {
   return thread;
 }
 
+Grasp GraspFromConfig(const Config& config) {
+  Grasp grasp;
+  grasp.X_OG = Pose(config);
+  grasp.width = Length(config, "width");
+  if (config.Has("grips")) {
+    grasp.grips = config.Get<std::vector<std::string>>("grips");
+    if (grasp.grips.empty()) config["grips"].Fail("names no grip");
+  }
+  return grasp;
+}
+
 std::array<double, 3> Colour(const Config& config) {
   const std::vector<double> rgb = config.Numbers("colour", 3);
   for (const double c : rgb) {
@@ -86,14 +97,7 @@ Part PartFromConfig(const Config& config, const std::string& name) {
     part.sites.push_back(SiteFromConfig(site, name));
   }
   for (const Config& grasp : config.ItemsOf("grasps")) {
-    Grasp& added = part.grasps.emplace_back();
-    added.X_OG = Pose(grasp);
-    added.width = Length(grasp, "width");
-    if (!grasp.Has("grips")) continue;
-    added.grips.clear();
-    for (const Config& grip : grasp.ItemsOf("grips")) {
-      added.grips.push_back(grip.As<std::string>());
-    }
+    part.grasps.push_back(GraspFromConfig(grasp));
   }
   return part;
 }

@@ -27,7 +27,7 @@ struct Site {
 struct Grasp {
   Eigen::Isometry3d X_OG = Eigen::Isometry3d::Identity();
   double width = 0;  ///< [m] between the fingers
-  /// Ways to place the fingers that suit it, best first.
+  /// Grips of a hand (HandType) that suit it, the best first.
   std::vector<std::string> grips = {"two_finger_pinch"};
 };
 

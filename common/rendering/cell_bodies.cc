@@ -11,9 +11,7 @@ using Colour = std::array<double, 3>;
 
 constexpr double kHalfTable = 1.5;  // [m]
 constexpr Colour kTableColour = {0.42, 0.38, 0.33};
-constexpr Colour kPedestalColour = {0.20, 0.21, 0.23};
 constexpr Colour kHandColour = {0.82, 0.58, 0.45};
-constexpr Colour kGripperColour = {0.30, 0.32, 0.36};
 
 }  // namespace
 
@@ -32,18 +30,12 @@ std::vector<RenderBody> BodiesOf(const PartTable& parts,
     add_hand(hand.name, hand.type, kHandColour);
   }
   for (const ArmLayout& arm : layout.arms) {
-    for (const Part& link : ArmLinks(arm)) bodies.push_back(BodyOf(link));
-    add_hand(arm.gripper, arm.hand, kGripperColour);
+    for (const Part& body : BodyPartsOf(arm)) bodies.push_back(BodyOf(body));
   }
   bodies.push_back(PlaneBody("table", kHalfTable, kTableColour));
   bodies.back().X_WO = Eigen::Isometry3d::Identity();
-
-  const CellLayout::Pedestal& pedestal = layout.pedestal;
-  const Eigen::Vector3d half_extents(
-      pedestal.size.x() / 2, pedestal.size.y() / 2, pedestal.height / 2);
-  bodies.push_back(BoxBody("pedestal", half_extents, kPedestalColour));
-  bodies.back().X_WO =
-      pedestal.X_WP * Eigen::Translation3d(0, 0, -pedestal.height / 2);
+  bodies.push_back(BodyOf(PedestalBody(layout.pedestal)));
+  bodies.back().X_WO = layout.pedestal.X_WP;
   return bodies;
 }
 

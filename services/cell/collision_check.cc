@@ -11,20 +11,6 @@ namespace {
 // [m] Nearer is touching: contacts in the physics are as deep as that.
 constexpr double kContact = 1e-4;
 constexpr char kTable[] = "table";
-// Of ArmLinks: plinth and base, then the shoulder and so on.
-constexpr size_t kNumFixed = 2;
-constexpr size_t kUpperArm = 1, kForearm = 2;  // after the shoulder
-
-Part PedestalBox(const CellLayout::Pedestal& pedestal) {
-  Part part;
-  part.name = "pedestal";
-  Piece box;
-  box.half_extents =
-      Eigen::Vector3d(pedestal.size.x(), pedestal.size.y(), pedestal.height) /
-      2;
-  part.pieces = {box};
-  return part;
-}
 
 }  // namespace
 
@@ -32,21 +18,14 @@ CollisionCheck::CollisionCheck(const CellLayout& layout,
                                const PartTable& parts) {
   for (const Part& part : parts.parts()) Add(part);
   num_parts_ = pedestal_ = bodies_.size();
-  Add(PedestalBox(layout.pedestal));
-  bodies_.back().X_WB = layout.pedestal.X_WP *
-                        Eigen::Translation3d(0, 0, -layout.pedestal.height / 2);
+  Add(PedestalBody(layout.pedestal));
+  bodies_.back().X_WB = layout.pedestal.X_WP;
   bodies_.back().is_there = true;
-  for (const ArmLayout& layout_of_arm : layout.arms) {
-    Arm arm{.name = layout_of_arm.name, .plinth = bodies_.size()};
-    for (const Part& link : ArmLinks(layout_of_arm)) Add(link);
-    arm.first_link = arm.plinth + kNumFixed;
-    arm.first_box = bodies_.size();
-    for (const Part& box :
-         HandBoxes(layout_of_arm.gripper, layout_of_arm.hand)) {
-      Add(box);
-    }
-    arm.end = bodies_.size();
-    arms_.push_back(std::move(arm));
+  for (const ArmLayout& arm : layout.arms) {
+    const size_t plinth = bodies_.size();
+    for (const Part& body : BodyPartsOf(arm)) Add(body);
+    arms_.push_back({arm.name, plinth, plinth + kFirstLinkBody,
+                     plinth + kNumArmBodies, bodies_.size()});
   }
 }
 
@@ -118,14 +97,13 @@ void CollisionCheck::LookAround(const Arm& arm, size_t body,
   }
 }
 
-/// Links that are no neighbours, and the hand up to the forearm.
 void CollisionCheck::LookAtItself(const Arm& arm) {
-  const size_t forearm = arm.first_link + kForearm;
-  for (size_t i = arm.plinth; i < arm.first_link; ++i) Report(arm, forearm, i);
-  for (size_t body = forearm + 1; body < arm.end; ++body) {
-    const size_t last =
-        body < arm.first_box ? arm.first_link + kUpperArm : forearm;
-    for (size_t i = arm.plinth; i <= last; ++i) Report(arm, body, i);
+  for (size_t body = arm.first_link; body < arm.end; ++body) {
+    for (size_t inner = arm.plinth; inner < body; ++inner) {
+      if (MayCollide(inner - arm.plinth, body - arm.plinth)) {
+        Report(arm, body, inner);
+      }
+    }
   }
 }
 

@@ -37,8 +37,7 @@ class CollisionCheck {
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
     bool is_there = false;
   };
-  /// Of an arm, as indices of bodies: plinth and base, the links above them,
-  /// the boxes of the hand.
+  /// Of an arm, as indices of bodies: as in BodyPartsOf().
   struct Arm {
     std::string name;
     size_t plinth = 0, first_link = 0, first_box = 0, end = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/arms/arm_bodies.h"
 #include "common/arms/ur5.h"
 #include "common/bus/bus.h"
 
@@ -35,14 +36,13 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
       breaches.push_back({Kind::kPosition, JointName(i),
                           fmt::format("is at {:.3f} rad", q[i])});
     }
-    if (!(std::abs(state.velocity[i]) <= ur5::kJointSpeed + kRounding)) {
+    if (!(std::abs(state.velocity[i]) <= ur5::kSpeedLimit + kRounding)) {
       breaches.push_back(
           {Kind::kSpeed, JointName(i),
            fmt::format("turns at {:.2f} rad/s", std::abs(state.velocity[i]))});
     }
   }
-  const Eigen::Vector3d p_WG =
-      (arm_.X_WB * ur5::FlangePose(q) * arm_.X_FG).translation();
+  const Eigen::Vector3d p_WG = GripperPose(arm_, q).translation();
   if (speed > kMoves && arm_.workspace.exteriorDistance(p_WG) > kRounding) {
     breaches.push_back(
         {Kind::kWorkspace, "the gripper",
@@ -71,7 +71,7 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(
     }
     const int32_t num_ticks = setpoint.header.tick - last_->header.tick;
     const double step = std::abs(goal - last_->position[i]);
-    if (!(step <= ur5::kJointSpeed * kTick * num_ticks + kRounding)) {
+    if (!(step <= ur5::kSpeedLimit * kTick * num_ticks + kRounding)) {
       breaches.push_back({Kind::kSetpoint, "set-point of " + JointName(i),
                           fmt::format("jumps by {:.4f} rad in {} ms", step,
                                       num_ticks * kTickUs / 1000)});

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "common/arms/path_planner.h"
-#include "common/arms/ur5.h"
 
 namespace cell {
 namespace {
 
+using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
+using Eigen::Vector3d;
 
 constexpr double kViaHeight = 0.22;    // [m] that a way goes over things
 constexpr double kMoved = 0.002;       // [m] a part has moved
@@ -19,20 +21,73 @@ constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
 constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
 constexpr double kGrid = 0.03;         // [m] of the free places that are tried
+constexpr int kYaws = 12;              // turns that are tried there
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
+constexpr double kApart = 0.012;       // [m] around a part that is set down
+constexpr double kNear = 0.0015;       // [m] at a grasp or a place
+constexpr double kTouching = 1e-4;     // [m]
+constexpr int kMaxTouching = 12;       // pairs
+constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
+constexpr double kMoving = 1e-4;       // [rad] of a joint in a tick
+constexpr double kFromStill = 0.006;   // [m] that an arm that stands is given
+constexpr double kFromMoving = 0.06;   // [m] that an arm that moves is given
 constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
-         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <
-             kTurned;
+         AngleAxisd(a.linear().transpose() * b.linear()).angle() < kTurned;
 }
 
-Reach::Params ReachParams(const SkillSettings& settings) {
-  Reach::Params params;
+CellLayout Alone(const CellLayout& layout, const std::string& arm) {
+  CellLayout alone = layout;
+  std::erase_if(alone.arms,
+                [&](const auto& other) { return other.name != arm; });
+  return alone;
+}
+
+// With a grip that the hand has: its first if it has not this one.
+ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
+  ArmPosture known = posture;
+  if (arm.hand.FindGrip(posture.grip) == nullptr) {
+    known.grip = arm.hand.grips.front().name;
+  }
+  return known;
+}
+
+// Straight, or through one via, or through two.
+std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
+                                             const Joints& to,
+                                             const std::vector<Joints>& vias,
+                                             const WhyBlockedAt& why_blocked,
+                                             const PathPlannerParams& params) {
+  const auto is_free = [&](const Joints& a, const Joints& b) {
+    return !WhyEdgeBlocked(a, b, why_blocked, params);
+  };
+  if (why_blocked(to)) return std::nullopt;
+  if (is_free(from, to)) return std::vector<Joints>{from, to};
+  std::vector<Joints> before, after;
+  for (const Joints& via : vias) {
+    if (is_free(from, via)) before.push_back(via);
+    if (is_free(via, to)) after.push_back(via);
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (a == b) return std::vector<Joints>{from, a, to};
+    }
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (is_free(a, b)) return std::vector<Joints>{from, a, b, to};
+    }
+  }
+  return std::nullopt;
+}
+
+ReachParams ReachParamsOf(const SkillSettings& settings) {
+  ReachParams params;
   params.approach = settings.motion.approach;
-  params.open_margin = settings.fingers.open_margin;
-  params.clearance = settings.motion.clearance;
+  params.open_margin = 2 * settings.fingers.open_margin;
+  params.clearance = kNear;
   return params;
 }
 
@@ -41,82 +96,176 @@ Reach::Params ReachParams(const SkillSettings& settings) {
 ArmPlanner::ArmPlanner(const Params& params)
     : params_(params),
       arm_(*params_.layout.FindArm(params.arm)),
-      scene_(params_.layout, params_.parts, params.arm),
-      reach_(scene_, params_.parts, ReachParams(params_.settings)) {
+      scene_(params_.parts, params_.layout),
+      bare_(params_.parts, Alone(params_.layout, params.arm)) {
   for (const Part& part : params_.parts.parts()) {
-    const PartShape& shape =
-        shapes_.emplace(part.name, PartShape(part)).first->second;
-    bottoms_[part.name] = shape.LowestZ(Isometry3d::Identity());
+    shapes_.emplace(part.name, PartShape(part));
   }
 }
 
-std::optional<ArmScene::Held> ArmPlanner::Held() const {
-  if (!held_) return std::nullopt;
-  return ArmScene::Held{held_->part, held_->X_GO};
+// ---- the scene
+
+void ArmPlanner::Arrange() {
+  scene_.LetGo(arm_.name);
+  for (const auto& [arm, other] : others_) scene_.LetGo(arm);
+  scene_.PutParts(poses_);
+  for (const auto& [arm, other] : others_) {
+    if (other.held) scene_.Hold(arm, other.held->part, other.held->X_GO);
+  }
+  if (held_) scene_.Hold(arm_.name, held_->part, held_->X_GO);
 }
 
-OrReason<Pick> ArmPlanner::PlanPick(const std::string& part,
-                                    const std::optional<PlaceGoal>& goal,
-                                    const Joints& q) const {
-  if (goal) return reach_.PickToPlace(part, *goal, q);
-  auto picks = reach_.Picks(part, q);
-  if (auto* reason = std::get_if<std::string>(&picks)) return *reason;
-  return std::get<std::vector<Pick>>(picks).front();
+void ArmPlanner::SetParts(const std::map<std::string, Isometry3d>& poses) {
+  poses_ = poses;
+  Arrange();
+  for (const auto& [name, X_WO] : poses_) {
+    if (params_.parts.Find(name)->is_fixed) bare_.PutPart(name, X_WO);
+  }
 }
 
-OrReason<Place> ArmPlanner::PlanPlace(const PlaceGoal& goal,
-                                      const Joints& q) const {
-  auto places = reach_.Places(*Held(), held_->grip, held_->width, goal, q);
-  if (auto* reason = std::get_if<std::string>(&places)) return *reason;
-  return std::get<std::vector<Place>>(places).front();
+void ArmPlanner::SetOther(const std::string& arm, const ArmPosture& posture,
+                          bool is_gripping) {
+  const ArmLayout* layout = params_.layout.FindArm(arm);
+  if (layout == nullptr) return;
+  const ArmPosture known = Posture(*layout, posture);
+  scene_.SetPosture(arm, known);
+  Other& other = others_[arm];
+  other.is_moving =
+      other.q && (*other.q - posture.q).cwiseAbs().maxCoeff() > kMoving;
+  other.q = posture.q;
+  if (is_gripping == other.held.has_value()) return;
+  // It goes with the hand from here on: tracks come later than the hand.
+  other.held.reset();
+  if (is_gripping) {
+    const auto part = scene_.FindGrasped(arm, known);
+    if (!part) return;
+    other.held = {*part,
+                  GripperPose(*layout, posture.q).inverse() * poses_.at(*part)};
+  }
+  Arrange();
+}
+
+bool ArmPlanner::MeetsOther(const ArmPosture& now, const Joints& ahead) const {
+  const bool is_moving = std::ranges::any_of(
+      others_, [](const auto& other) { return other.second.is_moving; });
+  const double wanted = is_moving ? kFromMoving : kFromStill;
+  ArmPosture then = Posture(arm_, now);
+  const double before = scene_.DistanceToOthers(arm_.name, then, wanted);
+  then.q = ahead;
+  const double after = scene_.DistanceToOthers(arm_.name, then, wanted);
+  // It may leave where it is too near already.
+  return after < wanted && after < before;
+}
+
+void ArmPlanner::SetHeld(const std::optional<HeldPart>& held) {
+  held_ = held;
+  Arrange();
+}
+
+std::optional<std::string> ArmPlanner::FindGrasped(
+    const ArmPosture& posture) const {
+  return scene_.FindGrasped(arm_.name, Posture(arm_, posture));
+}
+
+Reach ArmPlanner::Reaching() const {
+  return Reach(scene_, arm_.name, ReachParamsOf(params_.settings));
+}
+
+// ---- ways
+
+OrReason<GraspChoice> ArmPlanner::PlanPick(
+    const std::string& part, const std::optional<PlaceTarget>& target,
+    const Joints& q) const {
+  if (target) {
+    const auto transfers = Reaching().Transfers(part, *target, q);
+    if (!transfers) return transfers.reason;
+    return transfers.list.front().grasp;
+  }
+  const auto grasps = Reaching().Grasps(part, q);
+  if (!grasps) return grasps.reason;
+  return grasps.list.front();
+}
+
+OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
+                                            const Joints& q) const {
+  const ArmPosture holding = Posture(arm_, {q, held_->grip, held_->width});
+  const auto places = Reaching().Placements(
+      held_->part, held_->X_GO, holding.grip, holding.opening, target, q);
+  if (!places) return "its place: " + places.reason;
+  return places.list.front();
+}
+
+// What touches, by its names in the reasons of the scene.
+std::vector<std::pair<std::string, std::string>> ArmPlanner::Touching(
+    const ArmPosture& posture) const {
+  constexpr std::string_view kHits = " would hit ";
+  ClearanceRule rule{kTouching, {}};
+  for (int i = 0; i < kMaxTouching; ++i) {
+    const auto why = scene_.WhyBlocked(arm_.name, posture, rule);
+    if (!why) break;
+    const size_t at = why->find(kHits);
+    std::string other = why->substr(at + kHits.size());
+    if (other == "the table") other = "table";
+    rule.allowed.emplace_back(why->substr(0, at), other);
+  }
+  return rule.allowed;
 }
 
 /// [m] of the gripper beyond where ways stay.
 double ArmPlanner::OverBorder(const Joints& q) const {
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kInside);
+  const Vector3d margin = Vector3d::Constant(kInside);
   const Eigen::AlignedBox3d inside(arm_.workspace.min() + margin,
                                    arm_.workspace.max() - margin);
-  return inside.exteriorDistance(
-      (arm_.X_WB * ur5::FlangePose(q) * arm_.X_FG).translation());
+  return inside.exteriorDistance(GripperPose(arm_, q).translation());
 }
 
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
   const SkillSettings::Motion& motion = params_.settings.motion;
-  ArmScene::Question question{.clearance = motion.clearance, .held = Held()};
-  std::string reason;
+  const ArmPosture posture = Posture(arm_, {from, grip, opening});
+  std::vector<Joints> vias;
+  for (const Joints& q : {from, to}) {
+    if (const auto raised = RaisedBy(kViaHeight, arm_, q)) {
+      vias.push_back(*raised);
+    }
+  }
+  vias.push_back(arm_.home);
   // It may begin and end nearer to the border, but goes no further out.
   const double border = std::max(OverBorder(from), OverBorder(to));
-  const auto is_free = [&](const Joints& q) {
-    if (OverBorder(q) > border) return false;
-    const auto hit = scene_.WhyNot({q, grip, opening}, question);
-    if (hit && reason.empty()) reason = *hit;
-    return !hit;
-  };
-  // Where it stands it stands: a touch there must not forbid to leave.
-  if (!is_free(from)) {
-    reason.clear();
-    question.clearance = 0;
+  std::string reason;
+  // Where it stands it stands: what is near there must not forbid to leave.
+  for (const double clearance : {motion.clearance, kNear, kTouching}) {
+    ClearanceRule rule{clearance, {}};
+    if (clearance == kTouching) rule.allowed = Touching(posture);
+    const auto ask = AskScene(scene_, arm_.name, posture, rule);
+    const bool is_last = clearance == kTouching;
+    if (!is_last && ask(from)) continue;
+    PathPlannerParams params;
+    params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
+    const auto why_blocked =
+        [&](const Joints& q) -> std::optional<std::string> {
+      if (q == from) return std::nullopt;
+      if (OverBorder(q) > border)
+        return "the gripper would leave its workspace";
+      return ask(q);
+    };
+    if (const auto path = UpAndOver(from, to, vias, why_blocked, params)) {
+      return JointTrajectory(
+          *path, {motion.transit_speed, motion.transit_acceleration});
+    }
+    const JointPath path = PlanPath(from, {to}, vias, why_blocked, params);
+    if (path) {
+      return JointTrajectory(
+          path.waypoints, {motion.transit_speed, motion.transit_acceleration});
+    }
+    if (reason.empty()) reason = path.reason;
   }
-  // Up, over, and down again.
-  std::vector<Joints> via = {arm_.home};
-  for (const Joints& q : {to, from}) {
-    const Isometry3d X_BF = ur5::FlangePose(q);
-    const Isometry3d X_WF = Translation3d(0, 0, kViaHeight) * arm_.X_WB * X_BF;
-    const auto above = ur5::InverseNear(arm_.X_WB.inverse() * X_WF, q, 1.5);
-    if (above) via.push_back(*above);
-  }
-  const auto path = PathPlanner({}).Find(from, to, via, is_free);
-  if (!path) {
-    return "there is no free way" + (reason.empty() ? "" : ": " + reason);
-  }
-  return JointTrajectory(*path,
-                         {motion.transit_speed, motion.transit_acceleration});
+  return "there is no free way: " + reason;
 }
 
-OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
-                                              const Joints& q) const {
+OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
+                                                const Joints& q) const {
   std::vector<Eigen::Vector2d> points;
   for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
     for (double x = area.min().x(); x <= area.max().x(); x += kGrid) {
@@ -126,40 +275,53 @@ OrReason<PlaceGoal> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
   std::ranges::stable_sort(points, {}, [&](const Eigen::Vector2d& p) {
     return (p - area.center()).norm();
   });
-  PlaceGoal goal;
-  goal.approach = params_.settings.motion.approach;
-  goal.symmetry_order = 0;  // any way round will do
-  goal.is_site = false;
+  const double bottom = shapes_.at(held_->part).LowestZ(Isometry3d::Identity());
+  // The parts' table turns those by itself that look the same all round.
+  const int num_yaws =
+      params_.parts.Find(held_->part)->symmetry_order == 0 ? 1 : kYaws;
+  PlaceTarget target;
+  target.approach = params_.settings.motion.approach;
   for (const Eigen::Vector2d& p : points) {
-    goal.X_WO =
-        Translation3d(p.x(), p.y(), kOverTable - bottoms_.at(held_->part));
-    const auto planned = PlanPlace(goal, q);
-    if (std::holds_alternative<Place>(planned)) return goal;
+    for (int i = 0; i < num_yaws; ++i) {
+      target.X_WO =
+          Translation3d(p.x(), p.y(), kOverTable - bottom) *
+          AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
+      const auto near = scene_.Neighbours(held_->part, target.X_WO, kApart);
+      if (near.size() > 1) continue;  // than the table
+      if (std::holds_alternative<PlaceChoice>(PlanPlace(target, q))) {
+        return target;
+      }
+    }
   }
   return "there is no free place on the table";
 }
 
 bool ArmPlanner::IsNearSomething(const Joints& q) const {
   return scene_
-      .WhyNot({q, "", 0}, {.clearance = params_.settings.motion.clearance})
+      .WhyBlocked(arm_.name, Posture(arm_, {q, "", 0}),
+                  {params_.settings.motion.clearance, {}})
       .has_value();
 }
 
-void ArmPlanner::SetHands(std::vector<Eigen::Vector3d> points) {
+// ---- people's hands
+
+void ArmPlanner::SetHands(std::vector<Vector3d> points) {
   hands_ = PointCloud(std::move(points));
 }
 
-bool ArmPlanner::IsHandNear(const Eigen::Vector3d& p_W) const {
-  return std::ranges::any_of(hands_.points(), [&](const Eigen::Vector3d& p) {
+bool ArmPlanner::IsHandNear(const Vector3d& p_W) const {
+  return std::ranges::any_of(hands_.points(), [&](const Vector3d& p) {
     return (p - p_W).norm() < kFromHands;
   });
 }
 
+// ---- what is within reach
+
 std::vector<std::string> ArmPlanner::Reachable() const {
   std::vector<std::string> reachable;
   for (const std::string& part : reachable_) {
-    const auto pose = scene_.poses().find(part);
-    if (pose == scene_.poses().end()) continue;
+    const auto pose = poses_.find(part);
+    if (pose == poses_.end()) continue;
     const bool is_in_hand =
         shapes_.at(part).DistanceTo(hands_, pose->second, kInHand) < kInHand;
     if (!is_in_hand) reachable.push_back(part);
@@ -167,16 +329,23 @@ std::vector<std::string> ArmPlanner::Reachable() const {
   return reachable;
 }
 
+bool ArmPlanner::IsGraspable(const std::string& part, const Isometry3d& X_WO) {
+  bare_.PutPart(part, X_WO);
+  const Reach reach(bare_, arm_.name, ReachParamsOf(params_.settings));
+  const bool is_graspable(reach.Grasps(part, arm_.home));
+  bare_.RemovePart(part);
+  return is_graspable;
+}
+
 void ArmPlanner::RefreshReachable() {
-  for (const auto& [name, X_WO] : scene_.poses()) {
+  for (const auto& [name, X_WO] : poses_) {
     if (params_.parts.Find(name)->is_fixed) continue;
     const auto known = looked_at_.find(name);
     if (known != looked_at_.end() && IsSame(known->second, X_WO)) continue;
     looked_at_.insert_or_assign(name, X_WO);
     const auto at = std::ranges::lower_bound(reachable_, name);
     const bool was = at != reachable_.end() && *at == name;
-    const bool is = !std::holds_alternative<std::string>(
-        reach_.Picks(name, arm_.home, true));
+    const bool is = IsGraspable(name, X_WO);
     if (is && !was) reachable_.insert(at, name);
     if (!is && was) reachable_.erase(at);
     return;

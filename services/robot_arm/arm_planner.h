@@ -10,6 +10,7 @@
 #include "common/arms/arm_scene.h"
 #include "common/arms/joint_trajectory.h"
 #include "common/arms/reach.h"
+#include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "services/robot_arm/skill_settings.h"
@@ -40,33 +41,34 @@ class ArmPlanner {
   explicit ArmPlanner(const Params& params);
 
   /// The scene from now on.
-  void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses) {
-    scene_.SetParts(poses);
-  }
-  void SetOther(const std::string& arm, const ArmPosture& posture) {
-    scene_.SetOther(arm, posture);
-  }
-  void SetHeld(const std::optional<HeldPart>& held) { held_ = held; }
+  void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses);
+  /// How another arm stands, and whether its fingers hold something. One that
+  /// is not known is of no account.
+  void SetOther(const std::string& arm, const ArmPosture& posture,
+                bool is_gripping);
+  void SetHeld(const std::optional<HeldPart>& held);
   /// Points on persons' hands [in W].
   void SetHands(std::vector<Eigen::Vector3d> points);
   /// The part that all fingers touch.
-  std::optional<std::string> FindGrasped(const ArmPosture& posture) const {
-    return scene_.FindGrasped(posture);
-  }
+  std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
 
-  /// With a goal: so that the part can also be placed there.
-  OrReason<Pick> PlanPick(const std::string& part,
-                          const std::optional<PlaceGoal>& goal,
-                          const Joints& q) const;
+  /// With a target: so that the part can also be placed there.
+  OrReason<GraspChoice> PlanPick(const std::string& part,
+                                 const std::optional<PlaceTarget>& target,
+                                 const Joints& q) const;
   /// Of what is held.
-  OrReason<Place> PlanPlace(const PlaceGoal& goal, const Joints& q) const;
+  OrReason<PlaceChoice> PlanPlace(const PlaceTarget& target,
+                                  const Joints& q) const;
   OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
                                         double opening,
                                         const std::string& grip) const;
   /// A free place on the table within `area` [m, in W] to which it can put what
   /// it holds, upright; those next to the middle first.
-  OrReason<PlaceGoal> FindFreePlace(const Eigen::AlignedBox2d& area,
-                                    const Joints& q) const;
+  OrReason<PlaceTarget> FindFreePlace(const Eigen::AlignedBox2d& area,
+                                      const Joints& q) const;
+  /// True if it comes too near to another arm on its way from `now` to
+  /// `ahead`; it keeps farther from one that moves.
+  bool MeetsOther(const ArmPosture& now, const Joints& ahead) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
@@ -74,20 +76,34 @@ class ArmPlanner {
   bool IsHandNear(const Eigen::Vector3d& p_W) const;
 
   /// Parts that it could take where they lie, sorted: as of the last refresh,
-  /// which looks at one part that has moved. Not those in a person's hand.
+  /// which looks at one part that has moved. Not those in a person's hand. What
+  /// can be moved out of the way is not in the way.
   std::vector<std::string> Reachable() const;
   void RefreshReachable();
 
  private:
-  std::optional<ArmScene::Held> Held() const;
+  /// What is known of another arm.
+  struct Other {
+    std::optional<Joints> q;  ///< when it was last seen
+    bool is_moving = false;
+    std::optional<ArmScene::Held> held;
+  };
+
+  /// Puts all where it is.
+  void Arrange();
+  std::vector<std::pair<std::string, std::string>> Touching(
+      const ArmPosture& posture) const;
+  Reach Reaching() const;
   double OverBorder(const Joints& q) const;
+  bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
 
   Params params_;
   const ArmLayout& arm_;
   ArmScene scene_;
-  Reach reach_;
+  ArmScene bare_;  ///< without other arms and all that can be moved
   std::optional<HeldPart> held_;
-  std::map<std::string, double> bottoms_;  // z in O of each part's lowest point
+  std::map<std::string, Other> others_;  ///< by arm
+  std::map<std::string, Eigen::Isometry3d> poses_;
   std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
   std::vector<std::string> reachable_;
   PointCloud hands_{{}};

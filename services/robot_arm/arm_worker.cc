@@ -12,7 +12,8 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kStartTime = 0.3;      // [s] until full speed after a freeze
+constexpr double kStartTime = 0.3;  // [s] until full speed after a freeze
+constexpr double kLookAhead[] = {0.05, 0.15, 0.3, 0.45};  // [s] for other arms
 constexpr double kLetGoMargin = 0.008;  // [m] each finger, beside a seated part
 constexpr double kPatience = 15;        // [s] with people's hands
 constexpr double kStill = 1e-3;         // [rad/s]
@@ -27,15 +28,18 @@ ArmWorker::ArmWorker(const Params& params)
     : params_(params),
       kinematics_(*params_.layout.FindArm(params_.arm)),
       sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
-      planner_(params_) {}
+      planner_(params_),
+      // Who inserts goes first.
+      right_of_way_(params_.layout.FindArm(params_.arm)->X_FS.has_value()) {}
 
 void ArmWorker::See(const std::map<std::string, Isometry3d>& poses) {
   poses_ = poses;
   planner_.SetParts(poses_);
 }
 
-void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture) {
-  planner_.SetOther(arm, posture);
+void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture,
+                         bool is_gripping) {
+  planner_.SetOther(arm, posture, is_gripping);
 }
 
 void ArmWorker::SeeHands(std::vector<Vector3d> points) {
@@ -117,9 +121,46 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
-  rate_ = is_frozen_ ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (request_ && !is_frozen_) Advance(rate_ * dt);
+  const bool stands = is_frozen_ || WaitsForOther(dt);
+  rate_ = stands ? 0 : std::min(1.0, rate_ + dt / kStartTime);
+  if (request_ && !stands) Advance(rate_ * dt);
   return *command_;
+}
+
+/// It would soon come too near to another arm if it went on.
+bool ArmWorker::IsOtherInTheWay() const {
+  if (!stage_) return false;
+  const ArmPosture now{command_->q, command_->grip, command_->opening};
+  for (const double seconds : kLookAhead) {
+    const auto ahead = stage_->Ahead(seconds, command_->q);
+    if (ahead && planner_.MeetsOther(now, *ahead)) return true;
+  }
+  return false;
+}
+
+bool ArmWorker::WaitsForOther(double dt) {
+  switch (right_of_way_.Step(IsOtherInTheWay(), dt)) {
+    case RightOfWay::Advice::kGo:
+      return false;
+    case RightOfWay::Advice::kWait:
+      return true;
+    case RightOfWay::Advice::kGoAround:
+      GoAround();
+      return true;
+    case RightOfWay::Advice::kGiveUp:
+      OnFailure("another arm is in the way");
+      return true;
+  }
+  return false;
+}
+
+/// If there is no other way it keeps to the one that it has.
+void ArmWorker::GoAround() {
+  if (!stage_ || !stage_->HasOtherWays()) return;
+  Todo::Made made = todos_.front().make();
+  if (auto* stage = std::get_if<std::unique_ptr<SkillStage>>(&made)) {
+    stage_ = std::move(*stage);
+  }
 }
 
 void ArmWorker::Advance(double dt) {
@@ -208,11 +249,11 @@ void ArmWorker::AddWaitForHands(std::function<Vector3d()> point) {
 }
 
 void ArmWorker::PlanInsert() {
-  const auto goal = [this] {
-    return GoalAtSite();
+  const auto target = [this] {
+    return TargetAtSite();
   };
-  if (!held_) PlanTake(goal);
-  PlanCarry(goal);
+  if (!held_) PlanTake(target);
+  PlanCarry(target);
   Add("tare", [this]() -> Todo::Made {
     is_near_ = true;
     return std::make_unique<Tare>(sensor_);
@@ -248,39 +289,36 @@ void ArmWorker::PlanPutDown() {
 }
 
 void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
-  PlanCarry([this, area] {
-    planner_.SetHeld(held_);
-    return planner_.FindFreePlace(area, command_->q);
-  });
+  PlanCarry([this, area] { return planner_.FindFreePlace(area, command_->q); });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
-    return Line(goal_.X_WO * place_.X_turn * held_->X_GO.inverse());
+    return Line(place_.X_WO * held_->X_GO.inverse());
   });
   PlanLetGo();
   PlanGoHome();
 }
 
-void ArmWorker::PlanTake(const GoalMaker& goal) {
-  Add("plan the grasp", [this, goal]() -> Todo::Made {
-    std::optional<PlaceGoal> wanted;
-    if (goal) {
-      auto made = goal();
+void ArmWorker::PlanTake(const TargetMaker& target) {
+  Add("plan the grasp", [this, target]() -> Todo::Made {
+    std::optional<PlaceTarget> wanted;
+    if (target) {
+      auto made = target();
       if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-      wanted = std::get<PlaceGoal>(made);
+      wanted = std::get<PlaceTarget>(made);
     }
     planner_.SetHeld(std::nullopt);
     auto planned = planner_.PlanPick(request_->part, wanted, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    pick_ = std::get<Pick>(planned);
+    grasp_ = std::get<GraspChoice>(planned);
     return std::unique_ptr<SkillStage>();
   });
   AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
-  Add("open", [this] { return Fingers(pick_.opening, Until::kThere); });
-  Add("go to " + request_->part, [this] { return Transit(pick_.q_approach); });
+  Add("open", [this] { return Fingers(grasp_.opening, Until::kThere); });
+  Add("go to " + request_->part, [this] { return Transit(grasp_.q_approach); });
   AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
   Add("reach", [this] {
     is_near_ = true;
-    return Line(poses_.at(request_->part) * pick_.X_OG);
+    return Line(poses_.at(request_->part) * grasp_.X_OG);
   });
   Add(
       "close",
@@ -288,7 +326,7 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
         if (planner_.IsHandNear(poses_.at(request_->part).translation())) {
           return "a person's hand is at " + request_->part;
         }
-        return Fingers(pick_.width - params_.settings.fingers.close_beyond,
+        return Fingers(grasp_.width - params_.settings.fingers.close_beyond,
                        Until::kGripping);
       },
       [this] {
@@ -303,18 +341,18 @@ void ArmWorker::PlanTake(const GoalMaker& goal) {
       [this] { is_near_ = false; });
 }
 
-void ArmWorker::PlanCarry(const GoalMaker& goal) {
-  Add("plan the way", [this, goal]() -> Todo::Made {
+void ArmWorker::PlanCarry(const TargetMaker& target) {
+  Add("plan the way", [this, target]() -> Todo::Made {
     planner_.SetHeld(held_);
-    auto made = goal();
+    auto made = target();
     if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-    goal_ = std::get<PlaceGoal>(made);
-    auto planned = planner_.PlanPlace(goal_, command_->q);
+    target_ = std::get<PlaceTarget>(made);
+    auto planned = planner_.PlanPlace(target_, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    place_ = std::get<Place>(planned);
+    place_ = std::get<PlaceChoice>(planned);
     return std::unique_ptr<SkillStage>();
   });
-  AddWaitForHands([this] { return goal_.X_WO.translation(); });
+  AddWaitForHands([this] { return target_.X_WO.translation(); });
   Add("carry", [this] { return Transit(place_.q_approach); });
 }
 
@@ -378,34 +416,30 @@ ArmWorker::Todo::Made ArmWorker::Line(const Isometry3d& X_WG) {
 }
 
 ArmWorker::Todo::Made ArmWorker::Fingers(double opening, Until until) {
-  const std::string& grip = held_ ? held_->grip : pick_.grip;
+  const std::string& grip = held_ ? held_->grip : grasp_.grip;
   return std::make_unique<MoveFingers>(std::max(opening, 0.0), grip, until);
 }
 
-OrReason<PlaceGoal> ArmWorker::GoalAtSite() const {
+OrReason<PlaceTarget> ArmWorker::TargetAtSite() const {
   const Site& site = *params_.parts.FindSite(request_->site);
   const auto host = poses_.find(site.host);
   if (host == poses_.end()) return "nobody knows where " + site.host + " is";
-  PlaceGoal goal;
+  PlaceTarget target = TargetAt(site, host->second);
   const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
-  goal.X_WO = host->second * site.X_HS *
-              params_.settings.aim_error.Of(request_->id) *
-              Translation3d(aim.x(), aim.y(), 0);
-  goal.way_out = goal.X_WO.linear().col(2);
-  goal.approach = site.approach;
-  goal.symmetry_order = params_.parts.Find(request_->part)->symmetry_order;
+  target.X_WO = target.X_WO * params_.settings.aim_error.Of(request_->id) *
+                Translation3d(aim.x(), aim.y(), 0);
   if (params_.parts.FindThread(site.type) != nullptr) {
-    goal.turn = params_.settings.turning.max_angle;
+    target.turn = -params_.settings.turning.max_angle;
   }
-  return goal;
+  return target;
 }
 
 SeatingFrames ArmWorker::FramesAtSite() const {
-  return {goal_.X_WO, held_->X_GO, place_.X_turn};
+  return {target_.X_WO, held_->X_GO, target_.X_WO.inverse() * place_.X_WO};
 }
 
 void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
-  held_ = HeldPart{name, X_GO, pick_.grip, pick_.width};
+  held_ = HeldPart{name, X_GO, grasp_.grip, grasp_.width};
   const Part& part = *params_.parts.Find(name);
   const VolumeMoments moments = MomentsOf(part.pieces);
   sensor_.Load(part.density * moments.volume, X_GO * moments.centre);
@@ -425,8 +459,8 @@ void ArmWorker::KnowHeld() {
   const auto part =
       planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
   if (!part) return;
-  pick_.grip = reading_.stance;
-  pick_.width = reading_.opening;
+  grasp_.grip = reading_.stance;
+  grasp_.width = reading_.opening;
   const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
   Hold(*part, X_WG.inverse() * poses_.at(*part));
 }

@@ -14,6 +14,7 @@
 #include "services/robot_arm/arm_reading.h"
 #include "services/robot_arm/contact_sensor.h"
 #include "services/robot_arm/motions.h"
+#include "services/robot_arm/right_of_way.h"
 #include "services/robot_arm/seating.h"
 #include "services/robot_arm/skill.h"
 #include "services/robot_arm/skill_stage.h"
@@ -41,7 +42,8 @@ class ArmWorker {
   void See(const std::map<std::string, Eigen::Isometry3d>& poses);
   /// Points on persons' hands [in W].
   void SeeHands(std::vector<Eigen::Vector3d> points);
-  void SeeOther(const std::string& arm, const ArmPosture& posture);
+  void SeeOther(const std::string& arm, const ArmPosture& posture,
+                bool is_gripping);
 
   /// Takes the skill, or refuses it: then there is a result at once.
   void Begin(const SkillRequest& request, Leave leave);
@@ -69,10 +71,13 @@ class ArmWorker {
     std::function<void()> then;  ///< when it is done; may be empty
   };
 
-  using GoalMaker = std::function<OrReason<PlaceGoal>()>;
+  using TargetMaker = std::function<OrReason<PlaceTarget>()>;
   using Until = MoveFingers::Until;
 
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
+  bool IsOtherInTheWay() const;
+  bool WaitsForOther(double dt);
+  void GoAround();
   void Advance(double dt);
   bool BeginNext();
   void FinishFirst();
@@ -86,8 +91,8 @@ class ArmWorker {
   void PlanPresent();
   void PlanPutDown();
   void PlanSetDown(const Eigen::AlignedBox2d& area);
-  void PlanTake(const GoalMaker& goal);
-  void PlanCarry(const GoalMaker& goal);
+  void PlanTake(const TargetMaker& target);
+  void PlanCarry(const TargetMaker& target);
   void PlanLetGo();
   void PlanDrawBack();
   void PlanGoHome();
@@ -96,7 +101,7 @@ class ArmWorker {
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
   Todo::Made LineBy(const Eigen::Vector3d& way_W);
   Todo::Made Fingers(double opening, Until until);
-  OrReason<PlaceGoal> GoalAtSite() const;
+  OrReason<PlaceTarget> TargetAtSite() const;
   SeatingFrames FramesAtSite() const;
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
@@ -114,15 +119,16 @@ class ArmWorker {
   std::deque<Todo> todos_;
   std::unique_ptr<SkillStage> stage_;  // of the first of them
   std::string phase_;
-  Pick pick_;             // of the part that is taken
-  PlaceGoal goal_;        // of the part that is put down
-  Place place_;           // there
+  GraspChoice grasp_;     // of the part that is taken
+  PlaceTarget target_;    // of the part that is put down
+  PlaceChoice place_;     // there
   bool is_near_ = false;  // among things: it draws back before it turns away
   bool knows_place_ = false;  // whether it is near, from its first skill on
   double peak_force_ = 0;
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from
   std::optional<SkillResult> result_;
+  RightOfWay right_of_way_;
   bool is_frozen_ = false;
   double rate_ = 1;  // of time, as the arm starts again
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/arms/straight_line.h"
+
 namespace cell {
 namespace {
 
@@ -38,12 +40,17 @@ FollowTrajectory::FollowTrajectory(JointTrajectory trajectory)
 SkillStage::State FollowTrajectory::Step(const ArmReading& reading, double dt,
                                          ArmCommand* command) {
   time_ += dt;
-  command->q = trajectory_.At(time_).position;
+  command->q = trajectory_.At(time_).q;
   if (time_ < trajectory_.duration()) return State::kRunning;
   settling_ += dt;
   const bool is_over = settling_ >= kSettleTime &&
                        (IsThere(reading, *command) || settling_ > kPatience);
   return is_over ? State::kDone : State::kRunning;
+}
+
+std::optional<Joints> FollowTrajectory::Ahead(double seconds,
+                                              const Joints& /*q*/) const {
+  return trajectory_.At(time_ + seconds).q;
 }
 
 MoveOnLine::MoveOnLine(const ToolKinematics& kinematics, const Isometry3d& X_WG,
@@ -63,14 +70,7 @@ SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
     duration_ = kMinimumJerkPeak * std::max(way / speed_, angle / kTurnSpeed);
   }
   time_ += dt;
-  const double s = duration_ > 0 ? MinimumJerk(time_ / duration_) : 1;
-  Isometry3d X_WG = Isometry3d::Identity();
-  X_WG.translation() =
-      (1 - s) * X_WG_from_.translation() + s * X_WG_to_.translation();
-  X_WG.linear() = Eigen::Quaterniond(X_WG_from_.linear())
-                      .slerp(s, Eigen::Quaterniond(X_WG_to_.linear()))
-                      .toRotationMatrix();
-  const auto q = kinematics_.JointsNear(X_WG, command->q);
+  const auto q = kinematics_.JointsNear(PoseAt(time_), command->q);
   if (!q) {
     reason_ = "the straight way leads out of reach";
     return State::kFailed;
@@ -80,6 +80,16 @@ SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
       time_ >= duration_ + kSettleTime &&
       (IsThere(reading, *command) || time_ > duration_ + kPatience);
   return is_over ? State::kDone : State::kRunning;
+}
+
+Isometry3d MoveOnLine::PoseAt(double time) const {
+  const double share = duration_ > 0 ? MinimumJerk(time / duration_) : 1;
+  return PoseBetween(X_WG_from_, X_WG_to_, share);
+}
+
+std::optional<Joints> MoveOnLine::Ahead(double seconds, const Joints& q) const {
+  if (!has_begun_) return std::nullopt;
+  return kinematics_.JointsNear(PoseAt(time_ + seconds), q);
 }
 
 SkillStage::State WaitUntil::Step(const ArmReading&, double dt, ArmCommand*) {

@@ -18,6 +18,8 @@ class FollowTrajectory : public SkillStage {
   explicit FollowTrajectory(JointTrajectory trajectory);
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
+  std::optional<Joints> Ahead(double seconds, const Joints& q) const override;
+  bool HasOtherWays() const override { return true; }
 
  private:
   JointTrajectory trajectory_;
@@ -34,9 +36,12 @@ class MoveOnLine : public SkillStage {
              double speed);
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
+  std::optional<Joints> Ahead(double seconds, const Joints& q) const override;
   std::string reason() const override { return reason_; }
 
  private:
+  Eigen::Isometry3d PoseAt(double time) const;
+
   const ToolKinematics& kinematics_;
   Eigen::Isometry3d X_WG_from_, X_WG_to_;
   double speed_;

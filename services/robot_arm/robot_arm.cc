@@ -6,6 +6,7 @@
 
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/skill_result_t.hpp"
+#include "common/arms/cell_check.h"
 #include "common/arms/ur5.h"
 #include "common/sec/track.h"
 
@@ -23,7 +24,7 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message) {
     reading.q[i] = message.position[i];
     reading.dq[i] = message.velocity[i];
     if (!(std::abs(reading.q[i]) <= ur5::kJointLimit) ||
-        !(std::abs(reading.dq[i]) <= 2 * ur5::kJointSpeed)) {
+        !(std::abs(reading.dq[i]) <= 2 * ur5::kSpeedLimit)) {
       return std::nullopt;
     }
   }
@@ -103,7 +104,8 @@ bool RobotArm::OnState(const arm_state_t& message) {
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
   const auto reading = FromMessage(message);
   if (!reading) return false;
-  worker_->SeeOther(arm, {reading->q, "", reading->opening});
+  worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening},
+                    reading->is_gripping);
   return true;
 }
 
@@ -238,6 +240,7 @@ std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
   if (layout.FindArm(instance) == nullptr) {
     layout_config["arms"].Fail("there is no arm '" + instance + "'");
   }
+  CheckCell(layout_config, parts, layout);
   const SkillSettings settings =
       SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), parts);
   return std::make_unique<RobotArm>(

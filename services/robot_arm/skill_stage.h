@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "services/robot_arm/arm_reading.h"
@@ -17,6 +18,14 @@ class SkillStage {
   virtual ~SkillStage() = default;
   virtual State Step(const ArmReading& reading, double dt,
                      ArmCommand* command) = 0;
+  /// Where the joints will be in `seconds` if nothing hinders it; nothing if
+  /// they stay about where they are. `q`: the command now.
+  virtual std::optional<Joints> Ahead(double /*seconds*/,
+                                      const Joints& /*q*/) const {
+    return std::nullopt;
+  }
+  /// True if it can be made again on its way, from where it is then.
+  virtual bool HasOtherWays() const { return false; }
   /// Why it has failed, in plain words.
   virtual std::string reason() const { return ""; }
 };

@@ -1,5 +1,6 @@
 #include "services/robot_arm/tool_kinematics.h"
 
+#include "common/arms/arm_bodies.h"
 #include "common/arms/ur5.h"
 
 namespace cell {
@@ -10,7 +11,7 @@ constexpr double kMaxStep = 0.3;  // [rad] of a joint from tick to tick
 ToolKinematics::ToolKinematics(const ArmLayout& layout) : layout_(layout) {}
 
 Eigen::Isometry3d ToolKinematics::GripperPose(const Joints& q) const {
-  return layout_.X_WB * ur5::FlangePose(q) * layout_.X_FG;
+  return cell::GripperPose(layout_, q);
 }
 
 Eigen::Isometry3d ToolKinematics::SensorPose(const Joints& q) const {
@@ -19,8 +20,17 @@ Eigen::Isometry3d ToolKinematics::SensorPose(const Joints& q) const {
 
 std::optional<Joints> ToolKinematics::JointsNear(const Eigen::Isometry3d& X_WG,
                                                  const Joints& q) const {
-  return ur5::InverseNear(
-      layout_.X_WB.inverse() * X_WG * layout_.X_FG.inverse(), q, kMaxStep);
+  std::optional<Joints> nearest;
+  double least = kMaxStep;
+  for (const Joints& solution :
+       ur5::SolveInverse(FlangePoseFor(layout_, X_WG), q[5])) {
+    const Joints near = ur5::NearestTo(q, solution);
+    const double jump = (near - q).cwiseAbs().maxCoeff();
+    if (jump > least || !ur5::IsWithinLimits(near)) continue;
+    least = jump;
+    nearest = near;
+  }
+  return nearest;
 }
 
 }  // namespace cell

@@ -27,6 +27,7 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
       suffix_(ChannelSuffix(layout.name)),
       servo_(params.servo, layout.home),
       gripper_(layout.gripper, layout.hand, shapes, params.gripper) {
+  for (const Part& body : BodyPartsOf(layout)) body_names_.push_back(body.name);
   bus.Subscribe<arm_setpoint_t>(
       "ARM_SETPOINT_" + suffix_,
       [this](const arm_setpoint_t& m) { return OnSetpoint(m); });
@@ -116,8 +117,11 @@ bool ArmDevice::IsAtRest() const {
 
 std::vector<BodyPose> ArmDevice::Bodies() const {
   std::vector<BodyPose> bodies;
-  for (const auto& [name, X_WB] : ArmLinkPoses(layout_, servo_.position())) {
-    bodies.push_back({name, X_WB});
+  ArmPosture posture = HomePosture(layout_);
+  posture.q = servo_.position();
+  const std::vector<Isometry3d> X_WB = BodyPosesOf(layout_, posture);
+  for (size_t i = 0; i < kNumArmBodies; ++i) {
+    bodies.push_back({body_names_[i], X_WB[i]});
   }
   return bodies;
 }

@@ -53,6 +53,7 @@ class ArmDevice {
   const ArmLayout& layout_;
   Params params_;
   std::string suffix_;  // of its channels
+  std::vector<std::string> body_names_;
   ArmServo servo_;
   Gripper gripper_;
   double force_ = 0;  // [N] on the tool in the tick before

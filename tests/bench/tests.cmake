@@ -17,3 +17,9 @@ add_executable(arm_loop_bench bench/arm_loop_bench.cc)
 target_include_directories(arm_loop_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(arm_loop_bench PRIVATE cell_cli fmt::fmt Threads::Threads
   cell_warnings)
+add_executable(arms_bench bench/arms_bench.cc)
+target_include_directories(arms_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(arms_bench PRIVATE
+  CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(arms_bench PRIVATE cell_arms cell_tracker
+  benchmark::benchmark cell_warnings)

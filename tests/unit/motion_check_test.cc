@@ -8,7 +8,6 @@
 
 #include "cell/episode_t.hpp"
 #include "common/arms/arm_bodies.h"
-#include "common/arms/ur5.h"
 #include "common/bus/bus.h"
 #include "common/geometry/pose.h"
 #include "tests/unit/stage_testing.h"
@@ -51,10 +50,9 @@ class MotionCheckTest : public testing::Test {
   void Stand(const std::string& name, const Joints& q) {
     const ArmLayout& arm = Arm(name);
     q_[name] = q;
-    X_WG_[name] = arm.X_WB * ur5::FlangePose(q) * arm.X_FG;
-    for (const auto& [body, X_WB] : ArmLinkPoses(arm, q)) poses_[body] = X_WB;
-    for (const auto& [body, X_WB] :
-         HandBoxPoses(arm.gripper, arm.hand, X_WG_[name], "", 0.03)) {
+    X_WG_[name] = GripperPose(arm, q);
+    const ArmPosture posture{q, arm.hand.grips.front().name, 0.03};
+    for (const auto& [body, X_WB] : NamedBodyPosesOf(arm, posture)) {
       poses_[body] = X_WB;
     }
   }

@@ -62,6 +62,20 @@ TEST(PartTable, NamesSitesByTheirHost) {
   EXPECT_EQ(table.Find("ball"), nullptr);
 }
 
+TEST(PartTable, AGraspSuitsAPinchUnlessItNamesItsGrips) {
+  const std::string good =
+      With(kTable, "PIECE", kBox) +
+      "    grasps:\n"
+      "      - {xyz: [0, 0, 40], width: 50}\n"
+      "      - {xyz: [0, 0, 40], width: 50, grips: [ball, two_finger_pinch]}\n";
+  const std::vector<Grasp> grasps = Load(good).parts().at(0).grasps;
+  EXPECT_THAT(grasps.at(0).grips, testing::ElementsAre("two_finger_pinch"));
+  EXPECT_THAT(grasps.at(1).grips,
+              testing::ElementsAre("ball", "two_finger_pinch"));
+  EXPECT_EQ(ErrorOf(With(good, "[ball, two_finger_pinch]", "[]")),
+            "parts.yaml:parts.cube.grasps[1].grips: names no grip");
+}
+
 TEST(PartTable, RefusesImpossiblePartsByFileAndKey) {
   using testing::AllOf;
   using testing::HasSubstr;

@@ -1,0 +1,34 @@
+#include "services/robot_arm/right_of_way.h"
+
+namespace cell {
+namespace {
+
+constexpr double kFirstPause = 0.2, kSecondPause = 1.0;  // [s]
+constexpr double kFree = 1.0;     // [s] then the waiting is over
+constexpr double kAround = 2.5;   // [s] of waiting
+constexpr double kPatience = 20;  // [s] of waiting
+
+}  // namespace
+
+RightOfWay::Advice RightOfWay::Step(bool is_blocked, double dt) {
+  if (pause_ <= 0 && is_blocked) {
+    pause_ = goes_first_ ? kFirstPause : kSecondPause;
+  }
+  if (pause_ <= 0) {
+    free_ += dt;
+    if (free_ > kFree) waited_ = tried_ = 0;
+    return Advice::kGo;
+  }
+  pause_ -= dt;
+  waited_ += dt;
+  free_ = 0;
+  if (waited_ > kPatience) {
+    pause_ = waited_ = tried_ = 0;
+    return Advice::kGiveUp;
+  }
+  if (waited_ - tried_ < kAround) return Advice::kWait;
+  tried_ = waited_;
+  return Advice::kGoAround;
+}
+
+}  // namespace cell

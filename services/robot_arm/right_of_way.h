@@ -1,0 +1,28 @@
+#pragma once
+
+namespace cell {
+
+/// What an arm does whose way another arm is in. One of the two waits for
+/// longer, so that they do not start and stop each other for ever. Pure.
+class RightOfWay {
+ public:
+  enum class Advice {
+    kGo,
+    kWait,      ///< stand still in this tick
+    kGoAround,  ///< the same, and look for another way
+    kGiveUp
+  };
+  explicit RightOfWay(bool goes_first) : goes_first_(goes_first) {}
+
+  /// One tick of `dt` [s]. `is_blocked`: it would meet another arm soon.
+  Advice Step(bool is_blocked, double dt);
+
+ private:
+  bool goes_first_;
+  double pause_ = 0;   // [s] until it tries again
+  double waited_ = 0;  // [s] in all, since it went freely
+  double tried_ = 0;   // of it, when it looked for another way
+  double free_ = 0;    // [s] that it has gone
+};
+
+}  // namespace cell

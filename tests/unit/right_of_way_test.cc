@@ -1,0 +1,48 @@
+#include "services/robot_arm/right_of_way.h"
+
+#include <gtest/gtest.h>
+
+namespace cell {
+namespace {
+
+using Advice = RightOfWay::Advice;
+
+constexpr double kTick = 0.008;  // [s]
+
+/// Ticks until the advice comes; -1 after a minute.
+int TicksUntil(Advice advice, bool is_blocked, RightOfWay& right) {
+  for (int i = 0; i < 7500; ++i) {
+    if (right.Step(is_blocked, kTick) == advice) return i;
+  }
+  return -1;
+}
+
+TEST(RightOfWay, WhoIsNotBlockedGoes) {
+  RightOfWay right(false);
+  EXPECT_EQ(TicksUntil(Advice::kWait, false, right), -1);
+}
+
+TEST(RightOfWay, OneOfTwoGoesOnFirst) {
+  RightOfWay first(true), second(false);
+  EXPECT_EQ(first.Step(true, kTick), Advice::kWait);
+  EXPECT_EQ(second.Step(true, kTick), Advice::kWait);
+  EXPECT_LT(TicksUntil(Advice::kGo, false, first),
+            TicksUntil(Advice::kGo, false, second) / 4);
+}
+
+TEST(RightOfWay, WhoIsBlockedForLongGoesAroundThenGivesUp) {
+  RightOfWay right(true);
+  const int around = TicksUntil(Advice::kGoAround, true, right);
+  EXPECT_GT(around, 0);
+  EXPECT_GT(TicksUntil(Advice::kGiveUp, true, right), around);
+}
+
+TEST(RightOfWay, WhoHasGoneFreelyForgetsItsWaiting) {
+  RightOfWay right(true);
+  const int first = TicksUntil(Advice::kGoAround, true, right);
+  for (int i = 0; i < 250; ++i) right.Step(false, kTick);
+  EXPECT_EQ(TicksUntil(Advice::kGoAround, true, right), first);
+}
+
+}  // namespace
+}  // namespace cell
