@@ -10,7 +10,17 @@ namespace {
 
 // [m] Nearer is touching: contacts in the physics are as deep as that.
 constexpr double kContact = 1e-4;
+constexpr double kInHand = 0.003;  // [m] as near are the fingers that hold it
 constexpr char kTable[] = "table";
+
+Part BoxOf(const std::string& name, const Eigen::Vector3d& half_extents) {
+  Part part;
+  part.name = name;
+  Piece box;
+  box.half_extents = half_extents;
+  part.pieces = {box};
+  return part;
+}
 
 }  // namespace
 
@@ -26,6 +36,12 @@ CollisionCheck::CollisionCheck(const CellLayout& layout,
     for (const Part& body : BodyPartsOf(arm)) Add(body);
     arms_.push_back({arm.name, plinth, plinth + kFirstLinkBody,
                      plinth + kNumArmBodies, bodies_.size()});
+  }
+  first_of_hands_ = bodies_.size();
+  for (const CellLayout::Hand& hand : layout.hands) {
+    for (const HandType::Box& box : hand.type.boxes) {
+      Add(BoxOf(hand.name + "." + box.name, box.half_extents));
+    }
   }
 }
 
@@ -127,7 +143,20 @@ void CollisionCheck::LookAtHeld(const Arm& arm, const ArmActivity& activity) {
 
 void CollisionCheck::Report(const Arm& arm, size_t first, size_t second) {
   if (!Touches(first, second)) return;
-  touches_.push_back({arm.name, bodies_[first].name, bodies_[second].name});
+  touches_.push_back({arm.name, bodies_[first].name, bodies_[second].name,
+                      second < num_parts_ && IsInPersonsHand(second)});
+}
+
+bool CollisionCheck::IsInPersonsHand(size_t part) const {
+  const Body& held = bodies_[part];
+  for (size_t i = first_of_hands_; i < bodies_.size(); ++i) {
+    const Body& box = bodies_[i];
+    if (box.is_there && PartShape::Distance(held.shape, held.X_WB, box.shape,
+                                            box.X_WB, kInHand) < kInHand) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace cell

@@ -22,6 +22,8 @@ class CollisionCheck {
     std::string arm;
     std::string first;  ///< of the arm, or what it holds
     std::string second;
+    /// A person's hand is at `second`: whoever moves has run into the other.
+    bool is_by_person = false;
   };
 
   CollisionCheck(const CellLayout& layout, const PartTable& parts);
@@ -51,12 +53,14 @@ class CollisionCheck {
   void LookAtItself(const Arm& arm);
   void LookAtHeld(const Arm& arm, const ArmActivity& activity);
   void Report(const Arm& arm, size_t first, size_t second);
+  bool IsInPersonsHand(size_t part) const;
 
-  std::vector<Body> bodies_;  // parts, the pedestal, arms
+  std::vector<Body> bodies_;  // parts, the pedestal, arms, persons' hands
   std::map<std::string, size_t> indices_;
   size_t num_parts_ = 0;
   size_t pedestal_ = 0;
   std::vector<Arm> arms_;
+  size_t first_of_hands_ = 0;  // persons'
   std::vector<Touch> touches_;  // of this look
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cell/episode_t.hpp"
@@ -45,6 +47,10 @@ void MotionCheck::Put(const Message& message) {
 void MotionCheck::OnState(const std::string& arm, const Message& message) {
   const auto state = Decode<arm_state_t>(message);
   if (!state) return;
+  constexpr double kStill = 0.01;  // [rad/s]
+  is_moving_[arm] = !std::ranges::all_of(state->velocity, [](double velocity) {
+    return std::abs(velocity) < kStill;
+  });
   for (auto& breach : limits_.at(arm).Take(*state)) {
     Add(arm, message.tick, std::move(breach));
   }
@@ -75,6 +81,7 @@ void MotionCheck::OnPoses(const Message& message) {
   const auto poses = Decode<truth_poses_t>(message);
   if (!poses) return;
   for (const auto& touch : collisions_.Look(*poses, activities_)) {
+    if (touch.is_by_person && !is_moving_[touch.arm]) continue;
     Add(touch.arm, message.tick,
         {Violation::Kind::kCollision, touch.first,
          fmt::format("touches {}", touch.second)});

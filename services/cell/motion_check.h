@@ -20,7 +20,8 @@
 namespace cell {
 
 /// Whether the arms of a run have kept their limits and hit nothing, from its
-/// messages. Reads ground truth, so no service may use it.
+/// messages. An arm that stands still has not hit what a person's hand brings
+/// against it. Reads ground truth, so no service may use it.
 class MotionCheck {
  public:
   MotionCheck(const CellLayout& layout, const PartTable& parts);
@@ -47,6 +48,7 @@ class MotionCheck {
   std::map<std::string, std::function<void(const Message&)>> handlers_;
   std::map<std::string, LimitCheck> limits_;       // by arm
   std::map<std::string, ArmActivity> activities_;  // by arm
+  std::map<std::string, bool> is_moving_;          // by arm
   CollisionCheck collisions_;
   /// Arm, skill, kind and subject of what has been found.
   std::set<std::tuple<std::string, int64_t, Violation::Kind, std::string>>

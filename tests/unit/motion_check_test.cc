@@ -230,6 +230,22 @@ TEST_F(MotionCheckTest, AHeldPartMayTouchTheTableWhereItIsTakenNotOnTheWay) {
                              "round_peg_1 touches table, skill 3: carry")));
 }
 
+TEST_F(MotionCheckTest, WhatAPersonBringsAgainstAnArmThatStandsIsNotItsDoing) {
+  poses_[kPart] = poses_.at("arm_right.link_6");
+  const CellLayout::Hand& hand = task_.layout.hands.front();
+  for (const HandType::Box& box : hand.type.boxes) {
+    poses_[hand.name + "." + box.name] = poses_.at(kPart);
+  }
+  PutState("right");
+  Look();
+  EXPECT_THAT(check_.violations(), IsEmpty());
+  PutState("right", 0.5);
+  Look();
+  EXPECT_THAT(check_.violations(),
+              testing::Contains(Is(2, "right", Kind::kCollision,
+                                   std::string("link_6 touches ") + kPart)));
+}
+
 TEST_F(MotionCheckTest, AJointThatIsTooFastIsFound) {
   tick_ = 12;
   PutState("left", -3.1);
