@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "common/arms/path_planner.h"
+#include "services/robot_arm/transit.h"
 
 namespace cell {
 namespace {
@@ -15,7 +15,6 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kViaHeight = 0.22;    // [m] that a way goes over things
 constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
@@ -25,13 +24,9 @@ constexpr int kYaws = 12;              // turns that are tried there
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
 constexpr double kApart = 0.012;       // [m] around a part that is set down
 constexpr double kNear = 0.0015;       // [m] at a grasp or a place
-constexpr double kTouching = 1e-4;     // [m]
-constexpr int kMaxTouching = 12;       // pairs
-constexpr double kMinStep = 0.0027;    // [m] of the fingertips between checks
 constexpr double kMoving = 1e-4;       // [rad] of a joint in a tick
 constexpr double kFromStill = 0.006;   // [m] that an arm that stands is given
 constexpr double kFromMoving = 0.06;   // [m] that an arm that moves is given
-constexpr double kInside = 0.005;      // [m] a way stays inside the workspace
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
@@ -52,35 +47,6 @@ ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
     known.grip = arm.hand.grips.front().name;
   }
   return known;
-}
-
-// Straight, or through one via, or through two.
-std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
-                                             const Joints& to,
-                                             const std::vector<Joints>& vias,
-                                             const WhyBlockedAt& why_blocked,
-                                             const PathPlannerParams& params) {
-  const auto is_free = [&](const Joints& a, const Joints& b) {
-    return !WhyEdgeBlocked(a, b, why_blocked, params);
-  };
-  if (why_blocked(to)) return std::nullopt;
-  if (is_free(from, to)) return std::vector<Joints>{from, to};
-  std::vector<Joints> before, after;
-  for (const Joints& via : vias) {
-    if (is_free(from, via)) before.push_back(via);
-    if (is_free(via, to)) after.push_back(via);
-  }
-  for (const Joints& a : before) {
-    for (const Joints& b : after) {
-      if (a == b) return std::vector<Joints>{from, a, to};
-    }
-  }
-  for (const Joints& a : before) {
-    for (const Joints& b : after) {
-      if (is_free(a, b)) return std::vector<Joints>{from, a, b, to};
-    }
-  }
-  return std::nullopt;
 }
 
 ReachParams ReachParamsOf(const SkillSettings& settings) {
@@ -167,105 +133,75 @@ std::optional<std::string> ArmPlanner::FindGrasped(
   return scene_.FindGrasped(arm_.name, Posture(arm_, posture));
 }
 
-Reach ArmPlanner::Reaching() const {
-  return Reach(scene_, arm_.name, ReachParamsOf(params_.settings));
-}
-
 // ---- ways
+
+// What other arms are in the way of now can be done when they have gone home.
+template <class Plan>
+auto ArmPlanner::NowOrLater(const Plan& plan) const {
+  auto planned = plan(scene_);
+  if (!std::holds_alternative<std::string>(planned)) return planned;
+  ArmScene later = scene_;
+  for (const ArmLayout& other : params_.layout.arms) {
+    if (other.name != arm_.name) {
+      later.SetPosture(other.name, HomePosture(other));
+    }
+  }
+  auto planned_later = plan(later);
+  return std::holds_alternative<std::string>(planned_later) ? planned
+                                                            : planned_later;
+}
 
 OrReason<GraspChoice> ArmPlanner::PlanPick(
     const std::string& part, const std::optional<PlaceTarget>& target,
     const Joints& q) const {
-  if (target) {
-    const auto transfers = Reaching().Transfers(part, *target, q);
-    if (!transfers) return transfers.reason;
-    return transfers.list.front().grasp;
-  }
-  const auto grasps = Reaching().Grasps(part, q);
-  if (!grasps) return grasps.reason;
-  return grasps.list.front();
+  return NowOrLater([&](const ArmScene& scene) -> OrReason<GraspChoice> {
+    const Reach reach(scene, arm_.name, ReachParamsOf(params_.settings));
+    if (target) {
+      const auto transfers = reach.Transfers(part, *target, q);
+      if (!transfers) return transfers.reason;
+      return transfers.list.front().grasp;
+    }
+    const auto grasps = reach.Grasps(part, q);
+    if (!grasps) return grasps.reason;
+    return grasps.list.front();
+  });
 }
 
 OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
                                             const Joints& q) const {
+  return NowOrLater(
+      [&](const ArmScene& scene) { return PlaceIn(scene, target, q); });
+}
+
+OrReason<PlaceChoice> ArmPlanner::PlaceIn(const ArmScene& scene,
+                                          const PlaceTarget& target,
+                                          const Joints& q) const {
+  const Reach reach(scene, arm_.name, ReachParamsOf(params_.settings));
   const ArmPosture holding = Posture(arm_, {q, held_->grip, held_->width});
-  const auto places = Reaching().Placements(
-      held_->part, held_->X_GO, holding.grip, holding.opening, target, q);
+  const auto places = reach.Placements(held_->part, held_->X_GO, holding.grip,
+                                       holding.opening, target, q);
   if (!places) return "its place: " + places.reason;
   return places.list.front();
-}
-
-// What touches, by its names in the reasons of the scene.
-std::vector<std::pair<std::string, std::string>> ArmPlanner::Touching(
-    const ArmPosture& posture) const {
-  constexpr std::string_view kHits = " would hit ";
-  ClearanceRule rule{kTouching, {}};
-  for (int i = 0; i < kMaxTouching; ++i) {
-    const auto why = scene_.WhyBlocked(arm_.name, posture, rule);
-    if (!why) break;
-    const size_t at = why->find(kHits);
-    std::string other = why->substr(at + kHits.size());
-    if (other == "the table") other = "table";
-    rule.allowed.emplace_back(why->substr(0, at), other);
-  }
-  return rule.allowed;
-}
-
-/// [m] of the gripper beyond where ways stay.
-double ArmPlanner::OverBorder(const Joints& q) const {
-  const Vector3d margin = Vector3d::Constant(kInside);
-  const Eigen::AlignedBox3d inside(arm_.workspace.min() + margin,
-                                   arm_.workspace.max() - margin);
-  return inside.exteriorDistance(GripperPose(arm_, q).translation());
 }
 
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
     const Joints& from, const Joints& to, double opening,
     const std::string& grip) const {
-  const SkillSettings::Motion& motion = params_.settings.motion;
   const ArmPosture posture = Posture(arm_, {from, grip, opening});
-  std::vector<Joints> vias;
-  for (const Joints& q : {from, to}) {
-    if (const auto raised = RaisedBy(kViaHeight, arm_, q)) {
-      vias.push_back(*raised);
-    }
-  }
-  vias.push_back(arm_.home);
-  // It may begin and end nearer to the border, but goes no further out.
-  const double border = std::max(OverBorder(from), OverBorder(to));
-  std::string reason;
-  // Where it stands it stands: what is near there must not forbid to leave.
-  for (const double clearance : {motion.clearance, kNear, kTouching}) {
-    ClearanceRule rule{clearance, {}};
-    if (clearance == kTouching) rule.allowed = Touching(posture);
-    const auto ask = AskScene(scene_, arm_.name, posture, rule);
-    const bool is_last = clearance == kTouching;
-    if (!is_last && ask(from)) continue;
-    PathPlannerParams params;
-    params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
-    const auto why_blocked =
-        [&](const Joints& q) -> std::optional<std::string> {
-      if (q == from) return std::nullopt;
-      if (OverBorder(q) > border)
-        return "the gripper would leave its workspace";
-      return ask(q);
-    };
-    if (const auto path = UpAndOver(from, to, vias, why_blocked, params)) {
-      return JointTrajectory(
-          *path, {motion.transit_speed, motion.transit_acceleration});
-    }
-    const JointPath path = PlanPath(from, {to}, vias, why_blocked, params);
-    if (path) {
-      return JointTrajectory(
-          path.waypoints, {motion.transit_speed, motion.transit_acceleration});
-    }
-    if (reason.empty()) reason = path.reason;
-  }
-  return "there is no free way: " + reason;
+  return NowOrLater([&](const ArmScene& scene) {
+    return PlanWay(scene, arm_.name, posture, to, params_.settings.motion);
+  });
 }
 
 OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
                                                 const Joints& q) const {
+  return NowOrLater(
+      [&](const ArmScene& scene) { return FreePlaceIn(scene, area, q); });
+}
+
+OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
+                                              const Eigen::AlignedBox2d& area,
+                                              const Joints& q) const {
   std::vector<Eigen::Vector2d> points;
   for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
     for (double x = area.min().x(); x <= area.max().x(); x += kGrid) {
@@ -286,9 +222,9 @@ OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
       target.X_WO =
           Translation3d(p.x(), p.y(), kOverTable - bottom) *
           AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
-      const auto near = scene_.Neighbours(held_->part, target.X_WO, kApart);
+      const auto near = scene.Neighbours(held_->part, target.X_WO, kApart);
       if (near.size() > 1) continue;  // than the table
-      if (std::holds_alternative<PlaceChoice>(PlanPlace(target, q))) {
+      if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q))) {
         return target;
       }
     }

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "common/arms/arm_scene.h"
@@ -13,6 +12,7 @@
 #include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
+#include "services/robot_arm/or_reason.h"
 #include "services/robot_arm/skill_settings.h"
 
 namespace cell {
@@ -25,11 +25,9 @@ struct HeldPart {
   double width = 0;  ///< [m] between the fingers
 };
 
-/// A result, or in plain words why there is none.
-template <class T>
-using OrReason = std::variant<T, std::string>;
-
-/// Answers where an arm can go, in the scene as it is (section VIII-A).
+/// Answers where an arm can go, in the scene as it is (section VIII-A); if only
+/// other arms are in the way, as if they were at home: MeetsOther() tells when
+/// to wait for them.
 class ArmPlanner {
  public:
   struct Params {
@@ -91,10 +89,14 @@ class ArmPlanner {
 
   /// Puts all where it is.
   void Arrange();
-  std::vector<std::pair<std::string, std::string>> Touching(
-      const ArmPosture& posture) const;
-  Reach Reaching() const;
-  double OverBorder(const Joints& q) const;
+  template <class Plan>
+  auto NowOrLater(const Plan& plan) const;
+  OrReason<PlaceChoice> PlaceIn(const ArmScene& scene,
+                                const PlaceTarget& target,
+                                const Joints& q) const;
+  OrReason<PlaceTarget> FreePlaceIn(const ArmScene& scene,
+                                    const Eigen::AlignedBox2d& area,
+                                    const Joints& q) const;
   bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
 
   Params params_;

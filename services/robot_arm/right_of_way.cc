@@ -4,9 +4,9 @@ namespace cell {
 namespace {
 
 constexpr double kFirstPause = 0.2, kSecondPause = 1.0;  // [s]
-constexpr double kFree = 1.0;     // [s] then the waiting is over
-constexpr double kAround = 2.5;   // [s] of waiting
-constexpr double kPatience = 20;  // [s] of waiting
+constexpr double kFree = 1.0;    // [s] then the waiting is over
+constexpr double kAround = 2.5;  // [s] of waiting
+constexpr double kFirstPatience = 20, kSecondPatience = 6;  // [s] of waiting
 
 }  // namespace
 
@@ -22,7 +22,7 @@ RightOfWay::Advice RightOfWay::Step(bool is_blocked, double dt) {
   pause_ -= dt;
   waited_ += dt;
   free_ = 0;
-  if (waited_ > kPatience) {
+  if (waited_ > (goes_first_ ? kFirstPatience : kSecondPatience)) {
     pause_ = waited_ = tried_ = 0;
     return Advice::kGiveUp;
   }

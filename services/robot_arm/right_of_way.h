@@ -2,8 +2,9 @@
 
 namespace cell {
 
-/// What an arm does whose way another arm is in. One of the two waits for
-/// longer, so that they do not start and stop each other for ever. Pure.
+/// What an arm does whose way another arm is in. One of the two tries again
+/// later, so that they do not start and stop each other for ever, and gives up
+/// sooner, which makes room for the first. Pure.
 class RightOfWay {
  public:
   enum class Advice {

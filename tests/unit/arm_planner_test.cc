@@ -75,8 +75,14 @@ TEST_F(ArmPlanning, WhereAnotherArmStandsNowDoesNotCount) {
   poses_["round_peg_1"] = Standing("round_peg_1", 0.103, -0.40);
   See();
   EXPECT_THAT(planner_.Reachable(), Contains("round_peg_1"));
-  EXPECT_TRUE(std::holds_alternative<std::string>(
-      planner_.PlanPick("round_peg_1", std::nullopt, arm_.home)));
+  // It sets out, and waits where it would meet the other.
+  const GraspChoice grasp = Grasp("round_peg_1");
+  const auto way = planner_.PlanTransit(arm_.home, grasp.q_approach,
+                                        grasp.opening, grasp.grip);
+  EXPECT_TRUE(std::holds_alternative<JointTrajectory>(way))
+      << std::get<std::string>(way);
+  EXPECT_TRUE(planner_.MeetsOther({arm_.home, grasp.grip, grasp.opening},
+                                  grasp.q_grasp));
 }
 
 TEST_F(ArmPlanning, APartInAPersonsHandIsOutOfReach) {

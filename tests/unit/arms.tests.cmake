@@ -5,5 +5,3 @@ cell_add_test(unit/path_planner_test.cc LINK cell_arms cell_tracker)
 cell_add_test(unit/reach_test.cc LINK cell_arms cell_tracker)
 cell_add_test(unit/cell_reach_test.cc
   LINK cell_arms cell_rendering cell_tracker cell_vtb)
-cell_add_test(unit/aim_error_test.cc LINK cell_robot_arm)
-cell_add_test(unit/right_of_way_test.cc LINK cell_robot_arm)

@@ -37,6 +37,12 @@ TEST(RightOfWay, WhoIsBlockedForLongGoesAroundThenGivesUp) {
   EXPECT_GT(TicksUntil(Advice::kGiveUp, true, right), around);
 }
 
+TEST(RightOfWay, OneOfTwoGivesUpSooner) {
+  RightOfWay first(true), second(false);
+  EXPECT_LT(TicksUntil(Advice::kGiveUp, true, second),
+            TicksUntil(Advice::kGiveUp, true, first) / 3);
+}
+
 TEST(RightOfWay, WhoHasGoneFreelyForgetsItsWaiting) {
   RightOfWay right(true);
   const int first = TicksUntil(Advice::kGoAround, true, right);

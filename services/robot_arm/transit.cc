@@ -1,0 +1,124 @@
+#include "services/robot_arm/transit.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "common/arms/path_planner.h"
+#include "common/arms/straight_line.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kViaHeight = 0.22;  // [m] that a way goes over things
+constexpr double kNear = 0.0015;     // [m] if the clearance cannot be kept
+constexpr double kTouching = 1e-4;   // [m]
+constexpr int kMaxTouching = 12;     // pairs
+constexpr double kMinStep = 0.0027;  // [m] of the fingertips between checks
+constexpr double kInside = 0.005;    // [m] a way stays inside the workspace
+
+// Straight, or through one via, or through two.
+std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
+                                             const Joints& to,
+                                             const std::vector<Joints>& vias,
+                                             const WhyBlockedAt& why_blocked,
+                                             const PathPlannerParams& params) {
+  const auto is_free = [&](const Joints& a, const Joints& b) {
+    return !WhyEdgeBlocked(a, b, why_blocked, params);
+  };
+  if (why_blocked(to)) return std::nullopt;
+  if (is_free(from, to)) return std::vector<Joints>{from, to};
+  std::vector<Joints> before, after;
+  for (const Joints& via : vias) {
+    if (is_free(from, via)) before.push_back(via);
+    if (is_free(via, to)) after.push_back(via);
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (a == b) return std::vector<Joints>{from, a, to};
+    }
+  }
+  for (const Joints& a : before) {
+    for (const Joints& b : after) {
+      if (is_free(a, b)) return std::vector<Joints>{from, a, b, to};
+    }
+  }
+  return std::nullopt;
+}
+
+// What touches, by its names in the reasons of the scene.
+std::vector<std::pair<std::string, std::string>> Touching(
+    const ArmScene& scene, const std::string& arm, const ArmPosture& posture) {
+  constexpr std::string_view kHits = " would hit ";
+  ClearanceRule rule{kTouching, {}};
+  for (int i = 0; i < kMaxTouching; ++i) {
+    const auto why = scene.WhyBlocked(arm, posture, rule);
+    if (!why) break;
+    const size_t at = why->find(kHits);
+    std::string other = why->substr(at + kHits.size());
+    if (other == "the table") other = "table";
+    rule.allowed.emplace_back(why->substr(0, at), other);
+  }
+  return rule.allowed;
+}
+
+// [m] of the gripper beyond where ways stay.
+double OverBorder(const ArmLayout& arm, const Joints& q) {
+  const Vector3d margin = Vector3d::Constant(kInside);
+  const Eigen::AlignedBox3d inside(arm.workspace.min() + margin,
+                                   arm.workspace.max() - margin);
+  return inside.exteriorDistance(GripperPose(arm, q).translation());
+}
+
+}  // namespace
+
+OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
+                                  const ArmPosture& from, const Joints& to,
+                                  const SkillSettings::Motion& motion) {
+  const ArmLayout& layout = *scene.layout().FindArm(arm);
+  std::vector<Joints> vias;
+  for (const Joints& q : {from.q, to}) {
+    if (const auto raised = RaisedBy(kViaHeight, layout, q)) {
+      vias.push_back(*raised);
+    }
+  }
+  vias.push_back(layout.home);
+  // It may begin and end nearer to the border, but goes no further out.
+  const double border =
+      std::max(OverBorder(layout, from.q), OverBorder(layout, to));
+  std::string reason;
+  // Where it stands it stands: what is near there must not forbid to leave.
+  for (const double clearance : {motion.clearance, kNear, kTouching}) {
+    ClearanceRule rule{clearance, {}};
+    if (clearance == kTouching) rule.allowed = Touching(scene, arm, from);
+    const auto ask = AskScene(scene, arm, from, rule);
+    const bool is_last = clearance == kTouching;
+    if (!is_last && ask(from.q)) continue;
+    PathPlannerParams params;
+    params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
+    const auto why_blocked =
+        [&](const Joints& q) -> std::optional<std::string> {
+      if (q == from.q) return std::nullopt;
+      if (OverBorder(layout, q) > border) {
+        return "the gripper would leave its workspace";
+      }
+      return ask(q);
+    };
+    if (const auto path = UpAndOver(from.q, to, vias, why_blocked, params)) {
+      return JointTrajectory(
+          *path, {motion.transit_speed, motion.transit_acceleration});
+    }
+    const JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
+    if (path) {
+      return JointTrajectory(
+          path.waypoints, {motion.transit_speed, motion.transit_acceleration});
+    }
+    if (reason.empty()) reason = path.reason;
+  }
+  return "there is no free way: " + reason;
+}
+
+}  // namespace cell
