@@ -222,24 +222,50 @@ std::vector<ArmScene::Posed> ArmScene::Obstacles(size_t arm) const {
   return obstacles;
 }
 
-double ArmScene::DistanceToOthers(const std::string& arm,
-                                  const ArmPosture& posture,
-                                  double cutoff) const {
-  const size_t index = ArmIndex(arm);
-  const std::vector<Posed> own =
-      BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
-  const std::vector<Posed> others = OtherArms(index);
+std::vector<ArmScene::Posed> ArmScene::Moving(size_t arm,
+                                              const ArmPosture& posture) const {
+  std::vector<Posed> moving =
+      BodiesOf(arm, BodyPosesOf(layout().arms[arm], posture), posture.q);
+  moving.erase(moving.begin(), moving.begin() + kFirstLinkBody);
+  return moving;
+}
+
+double ArmScene::Nearest(const std::vector<Posed>& moving,
+                         const std::vector<Posed>& others, double cutoff) {
   double nearest = cutoff;
-  for (size_t i = kFirstLinkBody; i < own.size(); ++i) {
+  for (const Posed& own : moving) {
     for (const Posed& other : others) {
-      const double between =
-          own[i].solid->radius + other.solid->radius + nearest;
-      if ((own[i].p_W - other.p_W).squaredNorm() >= between * between) continue;
-      nearest = PartShape::Distance(own[i].solid->shape, own[i].X_WO,
+      const double between = own.solid->radius + other.solid->radius + nearest;
+      if ((own.p_W - other.p_W).squaredNorm() >= between * between) continue;
+      nearest = PartShape::Distance(own.solid->shape, own.X_WO,
                                     other.solid->shape, other.X_WO, nearest);
     }
   }
   return nearest;
+}
+
+double ArmScene::DistanceToOthers(const std::string& arm,
+                                  const ArmPosture& posture,
+                                  double cutoff) const {
+  const size_t index = ArmIndex(arm);
+  return Nearest(Moving(index, posture), OtherArms(index), cutoff);
+}
+
+double ArmScene::DistanceTo(const PointCloud& points,
+                            const std::vector<std::string>& parts,
+                            const std::string& arm, const ArmPosture& posture,
+                            double cutoff) const {
+  const std::vector<Posed> moving = Moving(ArmIndex(arm), posture);
+  double nearest = cutoff;
+  for (const Posed& own : moving) {
+    nearest = own.solid->shape.DistanceTo(points, own.X_WO, nearest);
+  }
+  std::vector<Posed> others;
+  for (const std::string& part : parts) {
+    const size_t i = PartIndex(part);
+    if (X_WO_[i]) others.emplace_back(shapes_->part_solids[i], *X_WO_[i]);
+  }
+  return Nearest(moving, others, nearest);
 }
 
 std::optional<std::string> ArmScene::WhyBlocked(

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/arms/arm_bodies.h"
+#include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
@@ -57,6 +58,12 @@ class ArmScene {
   /// what they hold; up to `cutoff`.
   double DistanceToOthers(const std::string& arm, const ArmPosture& posture,
                           double cutoff) const;
+  /// [m] From the arm, if it stands so, and what it holds to the points in W
+  /// and the parts, up to `cutoff`.
+  double DistanceTo(const PointCloud& points,
+                    const std::vector<std::string>& parts,
+                    const std::string& arm, const ArmPosture& posture,
+                    double cutoff) const;
   /// What is within `distance` [m] of the part at X_WO: parts, "table",
   /// "pedestal".
   std::vector<std::string> Neighbours(const std::string& part,
@@ -90,7 +97,11 @@ class ArmScene {
   std::vector<Posed> BodiesOf(size_t arm,
                               const std::vector<Eigen::Isometry3d>& X_WB,
                               const Joints& q) const;
+  /// What moves of an arm that stands so, and what it holds.
+  std::vector<Posed> Moving(size_t arm, const ArmPosture& posture) const;
   std::vector<Posed> OtherArms(size_t arm) const;
+  static double Nearest(const std::vector<Posed>& moving,
+                        const std::vector<Posed>& others, double cutoff);
   std::vector<Posed> Obstacles(size_t arm) const;
   size_t ArmIndex(const std::string& arm) const;
   size_t PartIndex(const std::string& part) const;

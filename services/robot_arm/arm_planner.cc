@@ -18,6 +18,8 @@ using Eigen::Vector3d;
 constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
+constexpr double kHandMoving = 1e-4;   // [m] of a point between two looks
+constexpr double kFromPeople = 0.1;    // [m] of hands at work
 constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
 constexpr double kGrid = 0.03;         // [m] of the free places that are tried
 constexpr int kYaws = 12;              // turns that are tried there
@@ -242,7 +244,36 @@ bool ArmPlanner::IsNearSomething(const Joints& q) const {
 // ---- people's hands
 
 void ArmPlanner::SetHands(std::vector<Vector3d> points) {
+  const auto& last = hands_.points();
+  is_hand_moving_ = !std::ranges::equal(
+      points, last, [](const Vector3d& a, const Vector3d& b) {
+        return (a - b).norm() < kHandMoving;
+      });
   hands_ = PointCloud(std::move(points));
+  in_hands_.clear();
+  for (const auto& [part, X_WO] : poses_) {
+    if (IsInHand(part)) in_hands_.push_back(part);
+  }
+}
+
+bool ArmPlanner::IsInHand(const std::string& part) const {
+  return shapes_.at(part).DistanceTo(hands_, poses_.at(part), kInHand) <
+         kInHand;
+}
+
+bool ArmPlanner::MeetsPerson(const ArmPosture& now,
+                             const std::optional<Joints>& ahead) const {
+  if (!is_hand_moving_ && in_hands_.empty()) return false;
+  ArmPosture posture = Posture(arm_, now);
+  const auto distance = [&] {
+    return scene_.DistanceTo(hands_, in_hands_, arm_.name, posture,
+                             kFromPeople);
+  };
+  const double before = distance();
+  if (!ahead) return before < kFromPeople;
+  posture.q = *ahead;
+  const double after = distance();
+  return after < kFromPeople && after < before;
 }
 
 bool ArmPlanner::IsHandNear(const Vector3d& p_W) const {
@@ -256,11 +287,7 @@ bool ArmPlanner::IsHandNear(const Vector3d& p_W) const {
 std::vector<std::string> ArmPlanner::Reachable() const {
   std::vector<std::string> reachable;
   for (const std::string& part : reachable_) {
-    const auto pose = poses_.find(part);
-    if (pose == poses_.end()) continue;
-    const bool is_in_hand =
-        shapes_.at(part).DistanceTo(hands_, pose->second, kInHand) < kInHand;
-    if (!is_in_hand) reachable.push_back(part);
+    if (poses_.contains(part) && !IsInHand(part)) reachable.push_back(part);
   }
   return reachable;
 }

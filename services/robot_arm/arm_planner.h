@@ -67,6 +67,10 @@ class ArmPlanner {
   /// True if it comes too near to another arm on its way from `now` to
   /// `ahead`; it keeps farther from one that moves.
   bool MeetsOther(const ArmPosture& now, const Joints& ahead) const;
+  /// The same with people's hands at work - that move, or hold something - and
+  /// what they hold. Without `ahead` it stays about where it is.
+  bool MeetsPerson(const ArmPosture& now,
+                   const std::optional<Joints>& ahead) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 
@@ -98,6 +102,7 @@ class ArmPlanner {
                                     const Eigen::AlignedBox2d& area,
                                     const Joints& q) const;
   bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
+  bool IsInHand(const std::string& part) const;
 
   Params params_;
   const ArmLayout& arm_;
@@ -109,6 +114,8 @@ class ArmPlanner {
   std::map<std::string, Eigen::Isometry3d> looked_at_;  // where parts lay then
   std::vector<std::string> reachable_;
   PointCloud hands_{{}};
+  bool is_hand_moving_ = false;
+  std::vector<std::string> in_hands_;  // parts, in people's
   std::map<std::string, PartShape> shapes_;
 };
 

@@ -30,7 +30,8 @@ ArmWorker::ArmWorker(const Params& params)
       sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
       planner_(params_),
       // Who inserts goes first.
-      right_of_way_(params_.layout.FindArm(params_.arm)->X_FS.has_value()) {}
+      way_of_others_(params_.layout.FindArm(params_.arm)->X_FS.has_value()),
+      way_of_people_(true) {}
 
 void ArmWorker::See(const std::map<std::string, Isometry3d>& poses) {
   poses_ = poses;
@@ -121,7 +122,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
-  const bool stands = is_frozen_ || WaitsForOther(dt);
+  const bool stands = is_frozen_ || Waits(dt);
   rate_ = stands ? 0 : std::min(1.0, rate_ + dt / kStartTime);
   if (request_ && !stands) Advance(rate_ * dt);
   return *command_;
@@ -138,20 +139,27 @@ bool ArmWorker::IsOtherInTheWay() const {
   return false;
 }
 
-bool ArmWorker::WaitsForOther(double dt) {
-  switch (right_of_way_.Step(IsOtherInTheWay(), dt)) {
-    case RightOfWay::Advice::kGo:
-      return false;
-    case RightOfWay::Advice::kWait:
-      return true;
-    case RightOfWay::Advice::kGoAround:
-      GoAround();
-      return true;
-    case RightOfWay::Advice::kGiveUp:
-      OnFailure("another arm is in the way");
-      return true;
-  }
-  return false;
+bool ArmWorker::IsPersonInTheWay() const {
+  if (!stage_) return false;
+  const ArmPosture now{command_->q, command_->grip, command_->opening};
+  return std::ranges::any_of(kLookAhead, [&](double seconds) {
+    return planner_.MeetsPerson(now, stage_->Ahead(seconds, command_->q));
+  });
+}
+
+/// People come first, then the arm that inserts.
+bool ArmWorker::Waits(double dt) {
+  return Heeds(way_of_people_.Step(IsPersonInTheWay(), dt),
+               "a person's hand is in the way") ||
+         Heeds(way_of_others_.Step(IsOtherInTheWay(), dt),
+               "another arm is in the way");
+}
+
+/// True if it stands still in this tick.
+bool ArmWorker::Heeds(RightOfWay::Advice advice, const std::string& reason) {
+  if (advice == RightOfWay::Advice::kGoAround) GoAround();
+  if (advice == RightOfWay::Advice::kGiveUp) OnFailure(reason);
+  return advice != RightOfWay::Advice::kGo;
 }
 
 /// If there is no other way it keeps to the one that it has.

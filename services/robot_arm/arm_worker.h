@@ -76,7 +76,9 @@ class ArmWorker {
 
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
   bool IsOtherInTheWay() const;
-  bool WaitsForOther(double dt);
+  bool IsPersonInTheWay() const;
+  bool Waits(double dt);
+  bool Heeds(RightOfWay::Advice advice, const std::string& reason);
   void GoAround();
   void Advance(double dt);
   bool BeginNext();
@@ -128,7 +130,7 @@ class ArmWorker {
   bool has_moved_ = false;
   std::string failure_;  // that the arm recovers from
   std::optional<SkillResult> result_;
-  RightOfWay right_of_way_;
+  RightOfWay way_of_others_, way_of_people_;
   bool is_frozen_ = false;
   double rate_ = 1;  // of time, as the arm starts again
 };
