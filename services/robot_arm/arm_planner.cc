@@ -19,16 +19,19 @@ constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
 constexpr double kHandMoving = 1e-4;   // [m] of a point between two looks
+constexpr double kAtPeople = 0.05;     // [m] of hands at work
 constexpr double kFromPeople = 0.1;    // [m] of hands at work
 constexpr double kInHand = 0.015;      // [m] nearer than this a hand holds it
 constexpr double kGrid = 0.03;         // [m] of the free places that are tried
 constexpr int kYaws = 12;              // turns that are tried there
 constexpr double kOverTable = 0.0005;  // [m] a part is set down from
-constexpr double kApart = 0.012;       // [m] around a part that is set down
-constexpr double kNear = 0.0015;       // [m] at a grasp or a place
-constexpr double kMoving = 1e-4;       // [rad] of a joint in a tick
-constexpr double kFromStill = 0.006;   // [m] that an arm that stands is given
-constexpr double kFromMoving = 0.06;   // [m] that an arm that moves is given
+// [m] Around a part that is set down, if there is room: its neighbours want to
+// be taken, too.
+constexpr double kApart[] = {0.06, 0.03, 0.012};
+constexpr double kNear = 0.0015;      // [m] at a grasp or a place
+constexpr double kMoving = 1e-4;      // [rad] of a joint in a tick
+constexpr double kFromStill = 0.006;  // [m] that an arm that stands is given
+constexpr double kFromMoving = 0.06;  // [m] that an arm that moves is given
 
 bool IsSame(const Isometry3d& a, const Isometry3d& b) {
   return (a.translation() - b.translation()).norm() < kMoved &&
@@ -219,15 +222,17 @@ OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
       params_.parts.Find(held_->part)->symmetry_order == 0 ? 1 : kYaws;
   PlaceTarget target;
   target.approach = params_.settings.motion.approach;
-  for (const Eigen::Vector2d& p : points) {
-    for (int i = 0; i < num_yaws; ++i) {
-      target.X_WO =
-          Translation3d(p.x(), p.y(), kOverTable - bottom) *
-          AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
-      const auto near = scene.Neighbours(held_->part, target.X_WO, kApart);
-      if (near.size() > 1) continue;  // than the table
-      if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q))) {
-        return target;
+  for (const double apart : kApart) {
+    for (const Eigen::Vector2d& p : points) {
+      for (int i = 0; i < num_yaws; ++i) {
+        target.X_WO =
+            Translation3d(p.x(), p.y(), kOverTable - bottom) *
+            AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
+        const auto near = scene.Neighbours(held_->part, target.X_WO, apart);
+        if (near.size() > 1) continue;  // than the table
+        if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q))) {
+          return target;
+        }
       }
     }
   }
@@ -270,7 +275,8 @@ bool ArmPlanner::MeetsPerson(const ArmPosture& now,
                              kFromPeople);
   };
   const double before = distance();
-  if (!ahead) return before < kFromPeople;
+  // So near it does not even draw back: who knows where the hand goes.
+  if (!ahead || before < kAtPeople) return before < kFromPeople;
   posture.q = *ahead;
   const double after = distance();
   return after < kFromPeople && after < before;
