@@ -60,7 +60,7 @@ class CollisionCheck {
   size_t num_parts_ = 0;
   size_t pedestal_ = 0;
   std::vector<Arm> arms_;
-  size_t first_of_hands_ = 0;  // persons'
+  size_t first_of_hands_ = 0;   // persons'
   std::vector<Touch> touches_;  // of this look
 };
 

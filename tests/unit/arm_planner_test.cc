@@ -94,6 +94,34 @@ TEST_F(ArmPlanning, APartInAPersonsHandIsOutOfReach) {
   EXPECT_THAT(planner_.Reachable(), Not(Contains("round_peg_1")));
 }
 
+TEST_F(ArmPlanning, PeoplesHandsAtWorkAreInTheWay) {
+  const GraspChoice grasp = Grasp("round_peg_1");
+  const ArmPosture home{arm_.home, grasp.grip, grasp.opening};
+  const ArmPosture there{grasp.q_approach, grasp.grip, grasp.opening};
+  const Eigen::Vector3d p_WG =
+      GripperPose(arm_, grasp.q_approach).translation();
+  const auto at = [&](double x) {
+    planner_.SetHands({p_WG + Eigen::Vector3d(x, 0, 0)});
+  };
+  at(0.06);
+  at(0.07);
+  EXPECT_TRUE(planner_.MeetsPerson(home, there.q));
+  EXPECT_TRUE(planner_.MeetsPerson(there, std::nullopt));
+  EXPECT_FALSE(planner_.MeetsPerson(home, std::nullopt));
+  at(0.07);  // it rests
+  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  at(0.5);
+  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  // A hand that rests, but holds something.
+  poses_["shaft"] = Isometry3d(Translation3d(p_WG));
+  See();
+  at(0.5);
+  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  at(0);
+  at(0);
+  EXPECT_TRUE(planner_.MeetsPerson(home, there.q));
+}
+
 TEST_F(ArmPlanning, ItLeavesWhatItStandsNearTo) {
   EXPECT_FALSE(planner_.IsNearSomething(arm_.home));
   const GraspChoice grasp = Grasp("round_peg_1");
