@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "common/arms/ur5.h"
@@ -106,9 +108,16 @@ std::vector<Part> BodyPartsOf(const ArmLayout& arm) {
                          std::move(pieces),
                          is_long ? kLinkColour : kJointColour));
   }
-  for (const HandType::Box& box : arm.hand.boxes) {
-    parts.push_back(Body(arm.gripper + "." + box.name, {Box(box.half_extents)},
-                         kHandColour));
+  std::ranges::move(HandPartsOf(arm.gripper, arm.hand),
+                    std::back_inserter(parts));
+  return parts;
+}
+
+std::vector<Part> HandPartsOf(const std::string& hand, const HandType& type) {
+  std::vector<Part> parts;
+  for (const HandType::Box& box : type.boxes) {
+    parts.push_back(
+        Body(hand + "." + box.name, {Box(box.half_extents)}, kHandColour));
   }
   return parts;
 }

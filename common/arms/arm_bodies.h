@@ -27,6 +27,9 @@ ArmPosture HomePosture(const ArmLayout& arm);
 /// are cylinders that hold those of a UR5.
 std::vector<Part> BodyPartsOf(const ArmLayout& arm);
 
+/// The boxes of a hand alone, "<hand>.<box>".
+std::vector<Part> HandPartsOf(const std::string& hand, const HandType& type);
+
 /// X_WB of the bodies of BodyPartsOf(), in its order.
 /// @throws std::invalid_argument if the hand has no such grip.
 std::vector<Eigen::Isometry3d> BodyPosesOf(const ArmLayout& arm,

@@ -45,10 +45,8 @@ class AssemblyEvaluation final : public Evaluation {
                 "turned"),
         RunsOf(rows, kGroup, "runs in which nothing seated came loose again",
                [](const json& row) { return row.at("broken").empty(); }),
-        RunsOf(rows, kGroup, "runs without a breach of limits",
-               [](const json& row) { return HasNoViolation(row, false); }),
-        RunsOf(rows, kGroup, "runs without a collision",
-               [](const json& row) { return HasNoViolation(row, true); }),
+        RunsOf(rows, kGroup, "runs without a breach of limits", HasKeptLimits),
+        RunsOf(rows, kGroup, "runs without a collision", HasHitNothing),
     };
     measures.front().paper = 0.5;
     return measures;

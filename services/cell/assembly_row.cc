@@ -6,10 +6,10 @@
 #include <set>
 #include <sstream>
 
-#include "common/bus/sim_bus.h"
 #include "services/cell/assembly_observer.h"
 #include "services/cell/motion_check.h"
 #include "services/cell/service_registry.h"
+#include "services/cell/sim_run.h"
 
 namespace cell {
 namespace {
@@ -96,14 +96,10 @@ json RunAssembly(const std::string& script, uint64_t seed,
   MotionCheck check(CellLayout::FromConfig(deployment.OfTask("cell.yaml")),
                     parts);
   SimBus bus(roster, AllServices(deployment, script, seed));
-  while (bus.Step()) {
-    std::vector<Message> messages = bus.last_messages();
-    std::sort(messages.begin(), messages.end(), OrderedBefore);
-    for (const Message& message : messages) {
-      observer.Put(message);
-      check.Put(message);
-    }
-  }
+  RunToEnd(bus, [&](const Message& message) {
+    observer.Put(message);
+    check.Put(message);
+  });
   json row;
   AddScore(observer.Score().value(), parts, &row);
   AddRecord(observer.record(), &row);
@@ -112,12 +108,15 @@ json RunAssembly(const std::string& script, uint64_t seed,
   return row;
 }
 
-bool HasNoViolation(const json& row, bool is_collision) {
+bool HasKeptLimits(const json& row) {
   for (const auto& [kind, num] : row.at("violations").items()) {
-    const bool is_of_kind = (kind == "collision") == is_collision;
-    if (is_of_kind && num > 0) return false;
+    if (kind != NameOf(Violation::Kind::kCollision) && num > 0) return false;
   }
   return true;
+}
+
+bool HasHitNothing(const json& row) {
+  return row.at("violations").at(NameOf(Violation::Kind::kCollision)) == 0;
 }
 
 }  // namespace cell

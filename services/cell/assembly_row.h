@@ -15,7 +15,8 @@ namespace cell {
 nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
                            const Deployment& deployment, const Roster& roster);
 
-/// No collision in the row, or no breach of limits.
-bool HasNoViolation(const nlohmann::json& row, bool is_collision);
+/// What a row says of the motions in its run.
+bool HasKeptLimits(const nlohmann::json& row);
+bool HasHitNothing(const nlohmann::json& row);
 
 }  // namespace cell

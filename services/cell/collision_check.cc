@@ -13,15 +13,6 @@ constexpr double kContact = 1e-4;
 constexpr double kInHand = 0.003;  // [m] as near are the fingers that hold it
 constexpr char kTable[] = "table";
 
-Part BoxOf(const std::string& name, const Eigen::Vector3d& half_extents) {
-  Part part;
-  part.name = name;
-  Piece box;
-  box.half_extents = half_extents;
-  part.pieces = {box};
-  return part;
-}
-
 }  // namespace
 
 CollisionCheck::CollisionCheck(const CellLayout& layout,
@@ -39,9 +30,7 @@ CollisionCheck::CollisionCheck(const CellLayout& layout,
   }
   first_of_hands_ = bodies_.size();
   for (const CellLayout::Hand& hand : layout.hands) {
-    for (const HandType::Box& box : hand.type.boxes) {
-      Add(BoxOf(hand.name + "." + box.name, box.half_extents));
-    }
+    for (const Part& box : HandPartsOf(hand.name, hand.type)) Add(box);
   }
 }
 

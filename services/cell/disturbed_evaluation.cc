@@ -79,12 +79,10 @@ class DisturbedEvaluation final : public Evaluation {
                "runs that end in a question for just the missing part",
                AsksForWhatIsMissing)};
     for (const char* group : {kSolvable, kUnsolvable}) {
+      measures.push_back(RunsOf(rows, group, "runs without a breach of limits",
+                                HasKeptLimits));
       measures.push_back(
-          RunsOf(rows, group, "runs without a breach of limits",
-                 [](const json& row) { return HasNoViolation(row, false); }));
-      measures.push_back(
-          RunsOf(rows, group, "runs without a collision",
-                 [](const json& row) { return HasNoViolation(row, true); }));
+          RunsOf(rows, group, "runs without a collision", HasHitNothing));
     }
     return measures;
   }

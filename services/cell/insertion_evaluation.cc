@@ -7,11 +7,11 @@
 #include <string>
 
 #include "cell/skill_request_t.hpp"
-#include "common/bus/sim_bus.h"
 #include "services/cell/assembly_observer.h"
 #include "services/cell/episode_observer.h"
 #include "services/cell/row_measures.h"
 #include "services/cell/service_registry.h"
+#include "services/cell/sim_run.h"
 #include "services/cell/skill_driver.h"
 #include "services/robot_arm/robot_arm.h"
 
@@ -135,16 +135,12 @@ class InsertionEvaluation final : public Evaluation {
     AssemblyObserver observer(task.parts, task.book);
     std::optional<skill_result_t> result;
     SimBus bus(RosterOf(roster), Services(deployment, task, trial, driver));
-    while (bus.Step()) {
-      std::vector<Message> messages = bus.last_messages();
-      std::sort(messages.begin(), messages.end(), OrderedBefore);
-      for (const Message& message : messages) {
-        observer.Put(message);
-        if (message.channel == "SKILL_RESULT") {
-          result = Decode<skill_result_t>(message);
-        }
+    RunToEnd(bus, [&](const Message& message) {
+      observer.Put(message);
+      if (message.channel == "SKILL_RESULT") {
+        result = Decode<skill_result_t>(message);
       }
-    }
+    });
     const SkillDriver::Wish& wish = driver.wishes.front();
     const Eigen::Isometry3d X_SE =
         AimError{kAimOffset, kAimAngle, trial.seed}.Of(result ? result->id : 0);

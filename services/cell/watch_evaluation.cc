@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "common/bus/sim_bus.h"
 #include "services/cell/episode_score.h"
 #include "services/cell/row_measures.h"
 #include "services/cell/service_registry.h"
+#include "services/cell/sim_run.h"
 
 namespace cell {
 namespace {
@@ -71,11 +71,7 @@ class WatchEvaluation final : public Evaluation {
     }
     SimBus bus(roster, AllServices(deployment, script, trial.seed));
     EpisodeObserver observer;
-    while (bus.Step()) {
-      std::vector<Message> messages = bus.last_messages();
-      std::sort(messages.begin(), messages.end(), OrderedBefore);
-      for (const Message& message : messages) observer.Put(message);
-    }
+    RunToEnd(bus, [&](const Message& message) { observer.Put(message); });
     json row = ToJson(Score(observer.record()));
     row["script"] = script;
     row["seconds"] = static_cast<double>(observer.record().last_utime) * 1e-6;

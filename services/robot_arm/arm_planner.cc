@@ -54,6 +54,18 @@ ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
   return known;
 }
 
+// Somewhere on the way it is nearer than `before`, so that it may leave what it
+// is too near to. distance(posture) [m] is cut off at what is wanted.
+template <class Distance>
+bool ComesNearer(ArmPosture posture, const ArmPlanner::WayAhead& way,
+                 double before, const Distance& distance) {
+  return std::ranges::any_of(way, [&](const std::optional<Joints>& ahead) {
+    if (!ahead) return false;
+    posture.q = *ahead;
+    return distance(posture) < before;
+  });
+}
+
 ReachParams ReachParamsOf(const SkillSettings& settings) {
   ReachParams params;
   params.approach = settings.motion.approach;
@@ -116,16 +128,15 @@ void ArmPlanner::SetOther(const std::string& arm, const ArmPosture& posture,
   Arrange();
 }
 
-bool ArmPlanner::MeetsOther(const ArmPosture& now, const Joints& ahead) const {
+bool ArmPlanner::MeetsOther(const ArmPosture& now, const WayAhead& way) const {
   const bool is_moving = std::ranges::any_of(
       others_, [](const auto& other) { return other.second.is_moving; });
   const double wanted = is_moving ? kFromMoving : kFromStill;
-  ArmPosture then = Posture(arm_, now);
-  const double before = scene_.DistanceToOthers(arm_.name, then, wanted);
-  then.q = ahead;
-  const double after = scene_.DistanceToOthers(arm_.name, then, wanted);
-  // It may leave where it is too near already.
-  return after < wanted && after < before;
+  const auto distance = [&](const ArmPosture& posture) {
+    return scene_.DistanceToOthers(arm_.name, posture, wanted);
+  };
+  const ArmPosture here = Posture(arm_, now);
+  return ComesNearer(here, way, distance(here), distance);
 }
 
 void ArmPlanner::SetHeld(const std::optional<HeldPart>& held) {
@@ -266,20 +277,19 @@ bool ArmPlanner::IsInHand(const std::string& part) const {
          kInHand;
 }
 
-bool ArmPlanner::MeetsPerson(const ArmPosture& now,
-                             const std::optional<Joints>& ahead) const {
+bool ArmPlanner::MeetsPerson(const ArmPosture& now, const WayAhead& way) const {
   if (!is_hand_moving_ && in_hands_.empty()) return false;
-  ArmPosture posture = Posture(arm_, now);
-  const auto distance = [&] {
+  const auto distance = [&](const ArmPosture& posture) {
     return scene_.DistanceTo(hands_, in_hands_, arm_.name, posture,
                              kFromPeople);
   };
-  const double before = distance();
+  const ArmPosture here = Posture(arm_, now);
+  const double before = distance(here);
+  const bool stays = std::ranges::any_of(
+      way, [](const auto& ahead) { return !ahead.has_value(); });
   // So near it does not even draw back: who knows where the hand goes.
-  if (!ahead || before < kAtPeople) return before < kFromPeople;
-  posture.q = *ahead;
-  const double after = distance();
-  return after < kFromPeople && after < before;
+  if (before < (stays ? kFromPeople : kAtPeople)) return true;
+  return ComesNearer(here, way, before, distance);
 }
 
 bool ArmPlanner::IsHandNear(const Vector3d& p_W) const {

@@ -64,13 +64,15 @@ class ArmPlanner {
   /// it holds, upright; those next to the middle first.
   OrReason<PlaceTarget> FindFreePlace(const Eigen::AlignedBox2d& area,
                                       const Joints& q) const;
-  /// True if it comes too near to another arm on its way from `now` to
-  /// `ahead`; it keeps farther from one that moves.
-  bool MeetsOther(const ArmPosture& now, const Joints& ahead) const;
+  /// Where its joints will be at some times ahead; nothing: about where they
+  /// are.
+  using WayAhead = std::vector<std::optional<Joints>>;
+  /// True if it comes too near to another arm on its way from `now`; it keeps
+  /// farther from one that moves.
+  bool MeetsOther(const ArmPosture& now, const WayAhead& way) const;
   /// The same with people's hands at work - that move, or hold something - and
-  /// what they hold. Without `ahead` it stays about where it is.
-  bool MeetsPerson(const ArmPosture& now,
-                   const std::optional<Joints>& ahead) const;
+  /// what they hold. It also heeds them where it is, if it stays about there.
+  bool MeetsPerson(const ArmPosture& now, const WayAhead& way) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
 

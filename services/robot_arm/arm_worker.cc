@@ -128,30 +128,20 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   return *command_;
 }
 
-/// It would soon come too near to another arm if it went on.
-bool ArmWorker::IsOtherInTheWay() const {
-  if (!stage_) return false;
-  const ArmPosture now{command_->q, command_->grip, command_->opening};
-  for (const double seconds : kLookAhead) {
-    const auto ahead = stage_->Ahead(seconds, command_->q);
-    if (ahead && planner_.MeetsOther(now, *ahead)) return true;
-  }
-  return false;
-}
-
-bool ArmWorker::IsPersonInTheWay() const {
-  if (!stage_) return false;
-  const ArmPosture now{command_->q, command_->grip, command_->opening};
-  return std::ranges::any_of(kLookAhead, [&](double seconds) {
-    return planner_.MeetsPerson(now, stage_->Ahead(seconds, command_->q));
-  });
-}
-
-/// People come first, then the arm that inserts.
+/// Before it would come too near: people come first, then the arm that inserts.
 bool ArmWorker::Waits(double dt) {
-  return Heeds(way_of_people_.Step(IsPersonInTheWay(), dt),
-               "a person's hand is in the way") ||
-         Heeds(way_of_others_.Step(IsOtherInTheWay(), dt),
+  const ArmPosture now{command_->q, command_->grip, command_->opening};
+  ArmPlanner::WayAhead way;
+  for (const double seconds : kLookAhead) {
+    if (stage_) way.push_back(stage_->Ahead(seconds, command_->q));
+  }
+  const bool is_person_there = stage_ && planner_.MeetsPerson(now, way);
+  if (Heeds(way_of_people_.Step(is_person_there, dt),
+            "a person's hand is in the way")) {
+    return true;
+  }
+  const bool is_other_there = stage_ && planner_.MeetsOther(now, way);
+  return Heeds(way_of_others_.Step(is_other_there, dt),
                "another arm is in the way");
 }
 

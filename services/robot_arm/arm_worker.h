@@ -75,8 +75,6 @@ class ArmWorker {
   using Until = MoveFingers::Until;
 
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
-  bool IsOtherInTheWay() const;
-  bool IsPersonInTheWay() const;
   bool Waits(double dt);
   bool Heeds(RightOfWay::Advice advice, const std::string& reason);
   void GoAround();

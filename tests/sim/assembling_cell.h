@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -8,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "cell/truth_poses_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/sim_bus.h"
 #include "services/cell/assembly_score.h"
+#include "services/cell/pose_looks.h"
 #include "services/cell/service_registry.h"
 #include "tests/unit/stage_testing.h"
 
@@ -36,8 +35,7 @@ class AssemblingCell {
     }
     bus_ = std::make_unique<SimBus>(roster, std::move(factories));
     On<truth_poses_t>("TRUTH_POSES", [this](const truth_poses_t& poses) {
-      looks_.push_back(poses);
-      if (looks_.size() > kNumLooks) looks_.pop_front();
+      looks_.Put(poses);
     });
   }
 
@@ -50,7 +48,7 @@ class AssemblingCell {
   template <class M>
   void On(const std::string& channel, std::function<void(const M&)> handler) {
     handlers_.emplace(channel, [handler](const Message& message) {
-      M decoded;
+      M decoded{};
       decoded.decode(message.bytes->data(), 0,
                      static_cast<int>(message.bytes->size()));
       handler(decoded);
@@ -74,18 +72,16 @@ class AssemblingCell {
   AssemblyScore Score() const {
     const ShippedTask task;
     return ScoreAssembly(
-        looks_.front(), looks_.back(), task.parts,
+        looks_.earlier(), looks_.last(), task.parts,
         DemonstratorBook::FromConfig(
             ShippedDeployment().OfTask("demonstrators.yaml"), task.parts));
   }
 
  private:
-  static constexpr size_t kNumLooks = 10;  // longer than 0.1 s
-
   std::unique_ptr<SimBus> bus_;
   std::multimap<std::string, std::function<void(const Message&)>> handlers_;
   std::vector<std::function<void()>> tick_handlers_;
-  std::deque<truth_poses_t> looks_;
+  PoseLooks looks_;
 };
 
 }  // namespace cell

@@ -11,6 +11,7 @@
 #include "cell/skill_result_t.hpp"
 #include "common/bus/sim_bus.h"
 #include "services/cell/assembly_score.h"
+#include "services/cell/pose_looks.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 #include "tests/unit/stage_testing.h"
@@ -110,21 +111,21 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
     return std::make_unique<Driver>(bus, wishes, &outcome.results);
   };
   SimBus bus(roster, std::move(factories));
-  std::deque<truth_poses_t> looks;
+  PoseLooks looks;
   while (bus.Step()) {
     for (const Message& message : bus.last_messages()) {
       if (message.channel != "TRUTH_POSES") continue;
-      truth_poses_t poses;
+      truth_poses_t poses{};
       poses.decode(message.bytes->data(), 0,
                    static_cast<int>(message.bytes->size()));
-      looks.push_back(std::move(poses));
-      if (looks.size() > 10) looks.pop_front();
+      looks.Put(std::move(poses));
     }
   }
   const ShippedTask task;
   const DemonstratorBook book = DemonstratorBook::FromConfig(
       deployment.OfTask("demonstrators.yaml"), task.parts);
-  outcome.score = ScoreAssembly(looks.front(), looks.back(), task.parts, book);
+  outcome.score =
+      ScoreAssembly(looks.earlier(), looks.last(), task.parts, book);
   outcome.seconds = bus.last_tick().header.tick * kTickUs * 1e-6;
   return outcome;
 }

@@ -38,7 +38,15 @@ class ArmPlanning : public testing::Test {
     return std::get<GraspChoice>(planned);
   }
 
+  /// Of the peg, by the other arm, alone with it.
+  auto GraspsOfLeft() const {
+    ArmScene scene(task_.parts, task_.layout);
+    scene.PutPart("round_peg_1", poses_.at("round_peg_1"));
+    return Reach(scene, "left").Grasps("round_peg_1", left_.home);
+  }
+
   ShippedTask task_;
+  const ArmLayout& left_ = *task_.layout.FindArm("left");
   const ArmLayout& arm_ = *task_.layout.FindArm("right");
   ArmPlanner planner_{
       {"right", task_.layout, task_.parts,
@@ -66,10 +74,7 @@ TEST_F(ArmPlanning, WhatCanBeMovedLeavesAPartWithinReach) {
 }
 
 TEST_F(ArmPlanning, WhereAnotherArmStandsNowDoesNotCount) {
-  const ArmLayout& left = *task_.layout.FindArm("left");
-  ArmScene scene(task_.parts, task_.layout);
-  scene.PutPart("round_peg_1", poses_.at("round_peg_1"));
-  const auto taken = Reach(scene, "left").Grasps("round_peg_1", left.home);
+  const auto taken = GraspsOfLeft();
   ASSERT_TRUE(taken) << taken.reason;
   planner_.SetOther("left", {taken.list[0].q_grasp, "", 0.05}, false);
   poses_["round_peg_1"] = Standing("round_peg_1", 0.103, -0.40);
@@ -82,7 +87,7 @@ TEST_F(ArmPlanning, WhereAnotherArmStandsNowDoesNotCount) {
   EXPECT_TRUE(std::holds_alternative<JointTrajectory>(way))
       << std::get<std::string>(way);
   EXPECT_TRUE(planner_.MeetsOther({arm_.home, grasp.grip, grasp.opening},
-                                  grasp.q_grasp));
+                                  {grasp.q_grasp}));
 }
 
 TEST_F(ArmPlanning, APartInAPersonsHandIsOutOfReach) {
@@ -105,21 +110,21 @@ TEST_F(ArmPlanning, PeoplesHandsAtWorkAreInTheWay) {
   };
   at(0.06);
   at(0.07);
-  EXPECT_TRUE(planner_.MeetsPerson(home, there.q));
-  EXPECT_TRUE(planner_.MeetsPerson(there, std::nullopt));
-  EXPECT_FALSE(planner_.MeetsPerson(home, std::nullopt));
+  EXPECT_TRUE(planner_.MeetsPerson(home, {there.q}));
+  EXPECT_TRUE(planner_.MeetsPerson(there, {std::nullopt}));
+  EXPECT_FALSE(planner_.MeetsPerson(home, {std::nullopt}));
   at(0.07);  // it rests
-  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  EXPECT_FALSE(planner_.MeetsPerson(home, {there.q}));
   at(0.5);
-  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  EXPECT_FALSE(planner_.MeetsPerson(home, {there.q}));
   // A hand that rests, but holds something.
   poses_["shaft"] = Isometry3d(Translation3d(p_WG));
   See();
   at(0.5);
-  EXPECT_FALSE(planner_.MeetsPerson(home, there.q));
+  EXPECT_FALSE(planner_.MeetsPerson(home, {there.q}));
   at(0);
   at(0);
-  EXPECT_TRUE(planner_.MeetsPerson(home, there.q));
+  EXPECT_TRUE(planner_.MeetsPerson(home, {there.q}));
 }
 
 TEST_F(ArmPlanning, ItLeavesWhatItStandsNearTo) {
@@ -151,10 +156,7 @@ TEST_F(ArmPlanning, WaysStayWithinTheWorkspace) {
 }
 
 TEST_F(ArmPlanning, WhatAnotherArmGripsGoesWithItsHand) {
-  const ArmLayout& left = *task_.layout.FindArm("left");
-  ArmScene scene(task_.parts, task_.layout);
-  scene.PutPart("round_peg_1", poses_.at("round_peg_1"));
-  const auto taken = Reach(scene, "left").Grasps("round_peg_1", left.home);
+  const auto taken = GraspsOfLeft();
   ASSERT_TRUE(taken) << taken.reason;
   const GraspChoice& grasp = taken.list.front();
   const auto is_there = [&] {
@@ -163,15 +165,14 @@ TEST_F(ArmPlanning, WhatAnotherArmGripsGoesWithItsHand) {
   };
   planner_.SetOther("left", {grasp.q_grasp, grasp.grip, grasp.width}, true);
   // Tracks still show it where it lay.
-  planner_.SetOther("left", {left.home, grasp.grip, grasp.width}, true);
+  planner_.SetOther("left", {left_.home, grasp.grip, grasp.width}, true);
   See();
   EXPECT_FALSE(is_there());
-  planner_.SetOther("left", {left.home, grasp.grip, grasp.opening}, false);
+  planner_.SetOther("left", {left_.home, grasp.grip, grasp.opening}, false);
   EXPECT_TRUE(is_there());
 }
 
 TEST_F(ArmPlanning, ItMeetsAnotherArmSoonerIfThatOneMoves) {
-  const ArmLayout& left = *task_.layout.FindArm("left");
   const auto over_table = [](const ArmLayout& arm, double x) {
     return TrackPose(arm, Isometry3d(Translation3d(x, -0.40, 0.20)), arm.home)
         .value();
@@ -179,19 +180,19 @@ TEST_F(ArmPlanning, ItMeetsAnotherArmSoonerIfThatOneMoves) {
   const ArmPosture now{over_table(arm_, 0.30), "two_finger_pinch", 0.02};
   const Joints ahead = over_table(arm_, 0.21);
   const Joints into = over_table(arm_, 0.10);
-  const ArmPosture other{over_table(left, 0.05), "two_finger_pinch", 0.02};
+  const ArmPosture other{over_table(left_, 0.05), "two_finger_pinch", 0.02};
   planner_.SetOther("left", other, false);
-  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
-  EXPECT_TRUE(planner_.MeetsOther(now, into));
+  EXPECT_FALSE(planner_.MeetsOther(now, {ahead}));
+  EXPECT_TRUE(planner_.MeetsOther(now, {into}));
   // Away is always free.
-  EXPECT_FALSE(planner_.MeetsOther({into, now.grip, now.opening}, now.q));
+  EXPECT_FALSE(planner_.MeetsOther({into, now.grip, now.opening}, {now.q}));
   ArmPosture moved = other;
   moved.q[5] += 0.01;
   planner_.SetOther("left", moved, false);
-  EXPECT_TRUE(planner_.MeetsOther(now, ahead));
+  EXPECT_TRUE(planner_.MeetsOther(now, {ahead}));
   planner_.SetOther("left", moved, false);
-  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
-  EXPECT_FALSE(planner_.MeetsOther(now, ahead));
+  EXPECT_FALSE(planner_.MeetsOther(now, {ahead}));
+  EXPECT_FALSE(planner_.MeetsOther(now, {ahead}));
 }
 
 TEST_F(ArmPlanning, WhatItPutsDownStandsFree) {
