@@ -6,9 +6,12 @@ add_library(lcm::lcm UNKNOWN IMPORTED)
 set_target_properties(lcm::lcm PROPERTIES IMPORTED_LOCATION ${LCM_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${LCM_INCLUDE_DIR})
 
-# Nor have libxxhash-dev and liblodepng-dev.
-foreach(name xxhash lodepng)
-  find_path(${name}_INCLUDE_DIR ${name}.h REQUIRED)
+# Nor have these.
+set(xxhash_header xxhash.h)
+set(lodepng_header lodepng.h)
+set(systemd_header systemd/sd-daemon.h)
+foreach(name xxhash lodepng systemd)
+  find_path(${name}_INCLUDE_DIR ${${name}_header} REQUIRED)
   find_library(${name}_LIBRARY ${name} REQUIRED)
   add_library(${name}::${name} UNKNOWN IMPORTED)
   set_target_properties(${name}::${name} PROPERTIES

@@ -39,7 +39,7 @@ std::optional<std::string> Clock::Hello(const hello_t& hello) {
 }
 
 bool Clock::Ack(const ack_t& ack) {
-  const auto index = static_cast<size_t>(ack.header.sender % 1000);
+  const auto index = static_cast<size_t>(BaseOf(ack.header.sender));
   if (ack.run != run_ || ack.header.sender < 0 || index == 0 ||
       index >= seats_.size() || !IsSound(ack.flows)) {
     return false;

@@ -31,8 +31,9 @@ class LcmClock {
  public:
   LcmClock(const LcmAddress& address, const Roster& roster,
            const ServiceFactory& factory, const LcmClockOptions& options,
-           const std::atomic<bool>& stop)
+           const ProcessHooks& hooks, const std::atomic<bool>& stop)
       : options_(options),
+        hooks_(hooks),
         stop_(stop),
         main_(address.MainUrl()),
         control_(address.ControlUrl()),
@@ -49,6 +50,7 @@ class LcmClock {
   }
 
   LcmClockSummary Run() {
+    hooks_.on_ready();
     if (!AwaitRoster()) return summary_;
     const auto start = steady_clock::now();
     bool is_last = false;
@@ -120,6 +122,7 @@ class LcmClock {
   }
 
   void Listen() {
+    hooks_.on_alive();
     WaitForAny({&main_, &control_}, 20);
     control_.Drain();
     main_.Drain();
@@ -198,6 +201,7 @@ class LcmClock {
   }
 
   LcmClockOptions options_;
+  ProcessHooks hooks_;
   const std::atomic<bool>& stop_;
   LcmPort main_;
   LcmPort control_;
@@ -215,8 +219,9 @@ class LcmClock {
 LcmClockSummary RunLcmClock(const LcmAddress& address, const Roster& roster,
                             const ServiceFactory& factory,
                             const LcmClockOptions& options,
+                            const ProcessHooks& hooks,
                             const std::atomic<bool>& stop) {
-  return LcmClock(address, roster, factory, options, stop).Run();
+  return LcmClock(address, roster, factory, options, hooks, stop).Run();
 }
 
 }  // namespace cell

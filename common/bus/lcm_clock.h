@@ -6,6 +6,7 @@
 
 #include "common/bus/clock_host.h"
 #include "common/bus/lcm_port.h"
+#include "common/bus/process_hooks.h"
 #include "common/bus/roster.h"
 
 namespace cell {
@@ -31,6 +32,7 @@ struct LcmClockSummary {
 LcmClockSummary RunLcmClock(const LcmAddress& address, const Roster& roster,
                             const ServiceFactory& factory,
                             const LcmClockOptions& options,
+                            const ProcessHooks& hooks,
                             const std::atomic<bool>& stop);
 
 }  // namespace cell

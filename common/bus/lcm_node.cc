@@ -43,8 +43,10 @@ class LcmNode {
                     });
   }
 
-  void Run(const std::atomic<bool>& stop) {
+  void Run(const ProcessHooks& hooks, const std::atomic<bool>& stop) {
+    hooks.on_ready();
     while (!stop && !node_.is_done()) {
+      hooks.on_alive();
       const auto now = steady_clock::now();
       if (!node_.has_joined()) SayHello(now);
       SayHealth(now);
@@ -122,8 +124,8 @@ class LcmNode {
 
 void RunLcmNode(const LcmAddress& address, const Roster& roster,
                 const std::string& name, const ServiceFactory& factory,
-                const std::atomic<bool>& stop) {
-  LcmNode(address, roster, name, factory).Run(stop);
+                const ProcessHooks& hooks, const std::atomic<bool>& stop) {
+  LcmNode(address, roster, name, factory).Run(hooks, stop);
 }
 
 }  // namespace cell

@@ -6,6 +6,7 @@
 
 #include "common/bus/clock_host.h"
 #include "common/bus/lcm_port.h"
+#include "common/bus/process_hooks.h"
 #include "common/bus/roster.h"
 
 namespace cell {
@@ -16,6 +17,6 @@ namespace cell {
 /// another life of the service is heard.
 void RunLcmNode(const LcmAddress& address, const Roster& roster,
                 const std::string& name, const ServiceFactory& factory,
-                const std::atomic<bool>& stop);
+                const ProcessHooks& hooks, const std::atomic<bool>& stop);
 
 }  // namespace cell

@@ -29,9 +29,16 @@ struct Roster {
   size_t RequireIndexOf(const std::string& name) const;
 };
 
+inline constexpr int32_t kMaxServices = 1000;
+
 /// A life's sender id.
 constexpr int32_t SenderOf(size_t index, int32_t life) {
-  return static_cast<int32_t>(index) + 1000 * life;
+  return static_cast<int32_t>(index) + kMaxServices * life;
+}
+
+/// The index in the roster of the sender.
+constexpr int32_t BaseOf(int32_t sender) {
+  return sender % kMaxServices;
 }
 
 }  // namespace cell

@@ -84,9 +84,11 @@ Stepper::State Stepper::Accept(int32_t tick, std::vector<Message> inputs) {
                  std::make_move_iterator(inputs.end()));
   if (tick <= until_) return State::kWaiting;
   tick_ = tick;
+  if (!has_begun_ && params_.skips_ticks) previous_tick_ = tick - 1;
+  has_begun_ = true;
   const bool has_timer =
       params_.latency == 1 &&
-      (tick % kStatusPeriod == params_.status_phase ||
+      (IsDue(StatusTimer()) ||
        std::any_of(timers_.begin(), timers_.end(),
                    [this](const Timer& timer) { return IsDue(timer); }));
   if (inputs_.empty() && !has_timer) return State::kIdle;
@@ -101,17 +103,17 @@ std::vector<Message> Stepper::Run() {
   for (const Timer& timer : timers_) {
     if (IsDue(timer)) timer.run();
   }
-  if (IsDue({kStatusPeriod, params_.status_phase, {}})) PublishStatus();
+  if (IsDue(StatusTimer())) PublishStatus();
   is_running_ = false;
   previous_tick_ = tick_;
   return std::exchange(outputs_, {});
 }
 
-// A slow service takes the timers that fell due since its last activation
-// along with its next one.
+// A slow service, and one that skips ticks, takes the timers that fell due
+// since its last activation along with its next one.
 bool Stepper::IsDue(const Timer& timer) const {
-  const int32_t from =
-      params_.latency == 1 ? tick_ : std::max(previous_tick_ + 1, 0);
+  const bool is_late = params_.latency > 1 || params_.skips_ticks;
+  const int32_t from = is_late ? std::max(previous_tick_ + 1, 0) : tick_;
   const int32_t since =
       ((tick_ - timer.phase) % timer.period + timer.period) % timer.period;
   return tick_ - since >= from;

@@ -24,6 +24,9 @@ class Stepper final : public Bus {
     int32_t sender = 0;        ///< given by the clock
     int32_t latency = 1;       ///< ticks one activation takes; 1: same tick
     int32_t status_phase = 0;  ///< tick % kStatusPeriod of its STATUS
+    /// Ticks may be skipped (live): timers that fell due in them run in the
+    /// next one.
+    bool skips_ticks = false;
   };
   static constexpr int32_t kStatusPeriod = 62;
 
@@ -80,6 +83,9 @@ class Stepper final : public Bus {
     std::function<void()> run;
   };
 
+  Timer StatusTimer() const {
+    return {kStatusPeriod, params_.status_phase, {}};
+  }
   bool IsDue(const Timer& timer) const;
   void Deliver();
   void PublishStatus();
@@ -98,6 +104,7 @@ class Stepper final : public Bus {
   int32_t previous_tick_ = -1;  // of the activation before
   int32_t until_ = -1;
   bool is_running_ = false;
+  bool has_begun_ = false;  // an Accept() was made
   std::optional<int32_t> end_tick_;
 };
 

@@ -11,7 +11,9 @@ namespace cell {
 struct Deployment {
   std::filesystem::path config_dir;  ///< one YAML per service
   std::filesystem::path task_dir;    ///< parts, domain, cell layout, scripts
+  std::filesystem::path types_dir;  ///< texts of the message types, if there
   std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
+  bool is_live = false;  ///< by the wall clock, not in lockstep
 
   /// deploy/config/<service>.yaml
   Config ForService(const std::string& service) const {

@@ -7,26 +7,41 @@
 #include <iostream>
 
 #include "common/bus/lcm_clock.h"
+#include "common/bus/lcm_live.h"
+#include "common/node/cell_files.h"
 #include "common/node/run_service.h"
+#include "common/node/service_arguments.h"
+#include "common/node/service_manager.h"
 
 namespace cell {
+namespace {
+
+void RunLockstep(const ServiceArguments& arguments, const Roster& roster,
+                 const std::string& name, const ServiceFactory& factory,
+                 const LcmClockOptions& options) {
+  const LcmClockSummary summary =
+      RunLcmClock(arguments.Address(), roster, factory, options,
+                  TellServiceManager(), StopOnSignals());
+  std::cerr << fmt::format(
+      "{}: {} ticks in {:.3f} s, {} TICKs repeated, {} late, {} refused\n",
+      name, summary.num_ticks, summary.elapsed_s, summary.num_repeats,
+      summary.num_late_ticks, summary.num_refused);
+}
+
+}  // namespace
 
 int RunClock(const std::string& name, int argc, char** argv,
              const ClockServiceMaker& maker) {
-  CLI::App app("Runs the cell's clock and world, " + name +
-               ", in lockstep over LCM.\nExample: " + name +
-               " --seed 7 --pace realtime");
-  std::string url = "udpm://239.255.76.67:7667";
-  std::string deploy_dir;
-  std::string run_dir;
+  CLI::App app("Runs the cell's world, " + name +
+               ", over LCM: as the clock of a cell in lockstep, or live.\n"
+               "Example: " +
+               name + " --seed 7 --pace realtime");
+  ServiceArguments arguments;
+  arguments.AddTo(app);
   std::string demonstration;
   uint64_t seed = 1;
   std::string pace = "fast";
   double giveup_s = 0;
-  app.add_option("--url", url, "LCM address of the cell; control port: +1")
-      ->capture_default_str();
-  app.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
-  app.add_option("--run-dir", run_dir, "folder in which the run is recorded");
   app.add_option("--demonstration", demonstration, "script of the task");
   app.add_option("--seed", seed)->capture_default_str();
   app.add_option("--pace", pace, "as fast as the machine allows, or realtime")
@@ -40,21 +55,24 @@ int RunClock(const std::string& name, int argc, char** argv,
     return app.exit(e) == 0 ? 0 : 2;
   }
   try {
-    CellFiles files = FindCellFiles(deploy_dir);
-    files.deployment.run_dir = run_dir;
-    LcmClockOptions options{.is_realtime = pace == "realtime"};
-    if (giveup_s > 0) options.giveup_s = giveup_s;
-    const LcmClockSummary summary = RunLcmClock(
-        LcmAddress::Parse(url), files.roster,
-        [&](Bus& bus) {
-          return maker(bus, files.deployment, demonstration, seed);
-        },
-        options, StopOnSignals());
-    std::cerr << fmt::format(
-        "{}: {} ticks in {:.3f} s, {} TICKs repeated, {} late, {} refused\n",
-        name, summary.num_ticks, summary.elapsed_s, summary.num_repeats,
-        summary.num_late_ticks, summary.num_refused);
+    CellFiles files = FindCellFiles(arguments.deploy_dir);
+    files.deployment.run_dir = arguments.run_dir;
+    files.deployment.is_live = arguments.is_live;
+    const ServiceFactory factory = [&](Bus& bus) {
+      return maker(bus, files.deployment, demonstration, seed);
+    };
+    if (arguments.is_live) {
+      RunLcmLive(arguments.Address(), files.roster, name, factory,
+                 arguments.StateDir(), TellServiceManager(), StopOnSignals());
+    } else {
+      LcmClockOptions options{.is_realtime = pace == "realtime"};
+      if (giveup_s > 0) options.giveup_s = giveup_s;
+      RunLockstep(arguments, files.roster, name, factory, options);
+    }
     return 0;
+  } catch (const std::invalid_argument& e) {
+    std::cerr << name << ": " << e.what() << std::endl;
+    return 2;
   } catch (const std::exception& e) {
     std::cerr << name << ": " << e.what() << std::endl;
     return 1;

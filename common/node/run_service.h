@@ -6,8 +6,6 @@
 #include <string>
 
 #include "common/bus/bus.h"
-#include "common/bus/lcm_clock.h"
-#include "common/bus/roster.h"
 #include "common/config/deployment.h"
 
 namespace cell {
@@ -22,32 +20,15 @@ using InstanceMaker = std::function<std::unique_ptr<Service>(
     Bus&, const Deployment&, const std::string& instance)>;
 
 /// The whole of a service's main(): arguments (--help lists them), roster and
-/// configuration, the bus in lockstep over LCM, until the clock's last tick or
-/// SIGINT or SIGTERM.
+/// configuration; then the bus over LCM: in lockstep until the clock's last
+/// tick, live (--live), or behind a log that is played (--follow); until SIGINT
+/// or SIGTERM.
 /// @return 0 stopped, 1 failure, 2 usage.
 int RunService(const std::string& name, int argc, char** argv,
                const ServiceMaker& maker);
 /// Takes the instance from --instance.
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);
-
-/// "robot_arm" and "left" of "robot_arm@left"; no instance: empty.
-struct ServiceName {
-  std::string program;
-  std::string instance;
-  static ServiceName Parse(const std::string& name);
-};
-
-/// The files of a cell and who takes part in it.
-struct CellFiles {
-  Deployment deployment;
-  Roster roster;
-};
-
-/// Reads them from `deploy_dir` if it is not empty, else from the folder deploy
-/// beside or above the program. @throws std::runtime_error that names where it
-/// looked, ConfigError for a roster that cannot be used.
-CellFiles FindCellFiles(const std::string& deploy_dir);
 
 /// Set by SIGINT and SIGTERM once the handlers are installed.
 const std::atomic<bool>& StopOnSignals();

@@ -13,6 +13,7 @@
 
 #include "common/bus/lcm_port.h"
 #include "common/bus/private_network.h"
+#include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands.h"
 #include "services/cell/output_follower.h"
@@ -117,8 +118,6 @@ class Demo {
   bool IsRunning() const { return processes_.IsRunning(clock()); }
 
   void Start(const std::string& name) {
-    const auto bin =
-        std::filesystem::read_symlink("/proc/self/exe").parent_path();
     std::vector<std::string> arguments = {"--deploy",
                                           (run_.path / "deploy").string(),
                                           "--run-dir", run_.path.string()};
@@ -134,7 +133,7 @@ class Demo {
     if (!instance.empty()) {
       arguments.insert(arguments.end(), {"--instance", instance});
     }
-    processes_.Start(name, bin / program, arguments, LogOf(name));
+    processes_.Start(name, FindProgram(program), arguments, LogOf(name));
   }
 
   std::filesystem::path LogOf(const std::string& name) const {

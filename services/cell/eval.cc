@@ -5,7 +5,7 @@
 #include <iostream>
 #include <memory>
 
-#include "common/node/run_service.h"
+#include "common/node/cell_files.h"
 #include "services/cell/commands.h"
 #include "services/cell/evaluation.h"
 #include "services/cell/job_pool.h"

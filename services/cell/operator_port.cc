@@ -8,11 +8,12 @@
 namespace cell {
 namespace {
 
-// The cell's time now, from its next TICK.
+// The cell's time now, from what is said in every tick: TICK in lockstep,
+// MOTION_PERMIT in a live cell.
 int64_t AwaitTick(const std::string& url) {
   LcmPort port(url);
   std::optional<int64_t> utime;
-  port.Subscribe(kTickChannel, [&](const std::string&, Bytes bytes) {
+  port.Subscribe("(TICK|MOTION_PERMIT)", [&](const std::string&, Bytes bytes) {
     if (bytes.size() >= kWireHeaderEnd) utime = ReadWireHeader(bytes).utime;
   });
   constexpr int kPatienceMs = 2000;
@@ -23,7 +24,8 @@ int64_t AwaitTick(const std::string& url) {
   }
   if (!utime) {
     throw std::runtime_error(
-        "no TICK heard in 2 s: does the cell run, and on this --url?");
+        "neither TICK nor MOTION_PERMIT heard in 2 s: does the cell run "
+        "(cell status), and on this --url?");
   }
   return *utime;
 }

@@ -24,7 +24,8 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
 /// A connection to the clock of a cell that runs.
 class OperatorPort {
  public:
-  /// Waits for the cell's next TICK. @throws std::runtime_error without one.
+  /// Waits for the cell to say what time it is. @throws std::runtime_error if
+  /// it is silent.
   explicit OperatorPort(const OperatorOptions& options);
 
   /// [us] of the cell's time, after which the command is not executed.

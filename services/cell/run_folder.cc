@@ -11,24 +11,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path FreeFolder(const std::string& kind) {
+Deployment DeploymentIn(const fs::path& run, const std::string& task) {
+  return {.config_dir = run / "deploy" / "config",
+          .task_dir = run / "deploy" / "tasks" / task,
+          .types_dir = run / "lcmtypes",
+          .run_dir = run};
+}
+
+}  // namespace
+
+fs::path FreeRunFolder(const fs::path& runs, const std::string& kind) {
   for (int number = 1;; ++number) {
-    fs::path path = fs::path("runs") / fmt::format("{}-{:04}", kind, number);
+    fs::path path = runs / fmt::format("{}-{:04}", kind, number);
     if (!fs::exists(path)) return path;
   }
 }
 
-Deployment DeploymentIn(const fs::path& run, const std::string& task) {
-  return {run / "deploy" / "config", run / "deploy" / "tasks" / task, run};
+void PointTo(const fs::path& run, const fs::path& link) {
+  const fs::path next = link.string() + ".next";
+  fs::remove(next);
+  fs::create_symlink(run.filename(), next);
+  fs::rename(next, link);
 }
-
-}  // namespace
 
 RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
                             const Deployment& source,
                             const std::string& demonstration, uint64_t seed) {
   RunFolder run;
-  run.path = path.empty() ? FreeFolder(kind) : fs::path(path);
+  run.path = path.empty() ? FreeRunFolder("runs", kind) : fs::path(path);
   if (fs::exists(run.path) && !fs::is_empty(run.path)) {
     throw std::runtime_error(run.path.string() +
                              ": exists and is not empty; choose another --out");
@@ -39,13 +49,11 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
   constexpr auto kDeep = fs::copy_options::recursive;
   fs::copy(source.config_dir, run.deployment.config_dir, kDeep);
   fs::copy(source.task_dir, run.deployment.task_dir, kDeep);
-  const fs::path types =
-      source.config_dir.parent_path().parent_path() / "lcmtypes";
-  if (fs::is_directory(types)) {
-    fs::create_directories(run.path / "lcmtypes");
-    for (const auto& entry : fs::directory_iterator(types)) {
+  if (fs::is_directory(source.types_dir)) {
+    fs::create_directories(run.deployment.types_dir);
+    for (const auto& entry : fs::directory_iterator(source.types_dir)) {
       if (entry.path().extension() == ".lcm") {
-        fs::copy(entry.path(), run.path / "lcmtypes");
+        fs::copy(entry.path(), run.deployment.types_dir);
       }
     }
   }

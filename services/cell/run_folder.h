@@ -32,4 +32,12 @@ struct RunFolder {
   static RunFolder Open(const std::string& path);
 };
 
+/// RUNS/<kind>-<number> that is not there yet.
+std::filesystem::path FreeRunFolder(const std::filesystem::path& runs,
+                                    const std::string& kind);
+
+/// Makes `link`, beside the run folder, a symbolic link to it.
+void PointTo(const std::filesystem::path& run,
+             const std::filesystem::path& link);
+
 }  // namespace cell

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/node/run_service.h"
+#include "common/node/cell_files.h"
 
 namespace cell {
 

@@ -9,6 +9,9 @@
 
 namespace cell {
 
+/// cell-0001.lcmlog in `run_dir`, with the number after the highest there.
+std::filesystem::path FreeLogName(const std::filesystem::path& run_dir);
+
 /// Storage adapter of the recorder: cell-0001.lcmlog in the run folder, the
 /// next free number for each life. Without a folder it keeps nothing (replay).
 class LogStore {

@@ -6,6 +6,7 @@
 
 #include "cell/alert_t.hpp"
 #include "cell/tick_t.hpp"
+#include "services/recorder/live_recorder.h"
 
 namespace cell {
 
@@ -62,7 +63,19 @@ void Recorder::ReportGap(int32_t from, int32_t to) {
 }
 
 std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment) {
-  return std::make_unique<Recorder>(bus, deployment.run_dir);
+  const Config config = deployment.ForService("recorder");
+  RotatingLog::Params params;
+  const auto bytes = [&config](const char* key) {
+    return int64_t{config.Integer(key, 1, 1 << 30)} << 20;
+  };
+  params.file_bytes = bytes("rotate_mb");
+  params.total_bytes = bytes("keep_mb");
+  params.free_bytes = bytes("min_free_mb");
+  config.Finish();
+  if (!deployment.is_live) {
+    return std::make_unique<Recorder>(bus, deployment.run_dir);
+  }
+  return std::make_unique<LiveRecorder>(bus, deployment.run_dir, params);
 }
 
 }  // namespace cell

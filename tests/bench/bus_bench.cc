@@ -58,12 +58,12 @@ void LockstepOverLcm(benchmark::State& state) {
     for (const char* name : {"first", "second", "third"}) {
       services.emplace_back([&, name] {
         RunLcmNode(address, toy::ToyRoster(1), name,
-                   toy::ToyFactories(kNumTicks).at(name), stop);
+                   toy::ToyFactories(kNumTicks).at(name), {}, stop);
       });
     }
     const auto summary =
         RunLcmClock(address, toy::ToyRoster(1),
-                    toy::ToyFactories(kNumTicks).at("source"), {}, stop);
+                    toy::ToyFactories(kNumTicks).at("source"), {}, {}, stop);
     for (std::thread& service : services) service.join();
     state.SetIterationTime(summary.elapsed_s);
   }

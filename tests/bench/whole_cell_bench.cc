@@ -12,7 +12,7 @@
 
 #include "common/bus/process_usage.h"
 #include "common/bus/sim_bus.h"
-#include "common/node/run_service.h"
+#include "common/node/cell_files.h"
 #include "services/cell/service_registry.h"
 
 namespace cell {

@@ -70,7 +70,7 @@ class Cell {
     threads_.emplace_back([this, name] {
       Guard([&] {
         RunLcmNode(address_, ToyRoster(), name,
-                   ToyFactories(kNumTicks).at(name), stop_);
+                   ToyFactories(kNumTicks).at(name), {}, stop_);
       });
     });
   }
@@ -78,7 +78,7 @@ class Cell {
     threads_.emplace_back([this] {
       Guard([&] {
         RunLcmClock(address_, ToyRoster(), ToyFactories(kNumTicks).at("source"),
-                    {.giveup_s = giveup_s_}, stop_);
+                    {.giveup_s = giveup_s_}, {}, stop_);
       });
       is_clock_done_ = true;
     });
@@ -177,7 +177,7 @@ TEST_F(LcmLockstep, AMissingServiceIsNamedWhenTheClockGivesUp) {
   std::atomic<bool> stop = false;
   try {
     RunLcmClock(address, ToyRoster(), ToyFactories(9).at("source"),
-                {.giveup_s = 0.2}, stop);
+                {.giveup_s = 0.2}, {}, stop);
     FAIL() << "the clock did not give up";
   } catch (const BusError& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("HELLO of first, second, third"));

@@ -21,9 +21,11 @@ namespace fs = std::filesystem;
 const std::set<std::string> kAdapters = {
     "common/config/config.cc",           // reads YAML files
     "common/config/deployment.h",        // names them
-    "common/node/run_clock.cc",          // a process's arguments
-    "common/node/run_service.cc",        // a process's arguments and signals
+    "common/node/run_clock.cc",          // how the process ended
+    "common/node/run_service.cc",        // and its signals
     "common/node/run_service.h",         // the flag that a signal sets
+    "common/node/service_arguments.cc",  // what systemd names
+    "common/node/service_manager.cc",    // the watchdog's time
     "common/rendering/png_file.cc",      // writes pictures
     "services/cell/demo.cc",             // starts the cell's processes
     "services/cell/eval.cc",             // writes the measures

@@ -1,0 +1,45 @@
+#include "common/bus/command_gate.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace cell {
+namespace {
+
+/// Commands that other services than the first take. A fixed list, so that
+/// nobody can fill the bus with channels of his own making.
+constexpr std::array<std::string_view, 2> kPassedOn = {"COMMAND_GOAL",
+                                                       "COMMAND_MODE"};
+
+bool IsPassedOn(const std::string& channel) {
+  return std::find(kPassedOn.begin(), kPassedOn.end(), channel) !=
+         kPassedOn.end();
+}
+
+}  // namespace
+
+bool IsCommand(const std::string& channel) {
+  return channel.starts_with("COMMAND_");
+}
+
+std::vector<Message> CommandGate::Pass(
+    int32_t tick, int32_t sender, std::vector<Command> commands,
+    const std::function<bool(const std::string&)>& is_wanted) {
+  std::vector<Message> messages;
+  for (Command& command : commands) {
+    if (!IsCommand(command.channel) ||
+        (!is_wanted(command.channel) && !IsPassedOn(command.channel)) ||
+        command.bytes.size() < kWireHeaderEnd) {
+      ++num_refused_;
+      continue;
+    }
+    WriteIdentity(tick, sender, next_seq_[command.channel]++, command.bytes);
+    messages.push_back(
+        *MessageFromWire(command.channel, std::move(command.bytes)));
+  }
+  return messages;
+}
+
+}  // namespace cell

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cell/step_t.hpp"
+#include "common/bus/manifest.h"
+#include "common/bus/message.h"
+#include "common/bus/roster.h"
+
+namespace cell {
+
+/// The log of a live cell: its messages, and the journal (STEP) of what each
+/// service was given when.
+class LiveLog {
+ public:
+  /// Reads DIR/*.lcmlog. @throws std::runtime_error naming the file if there is
+  /// none or it holds no STEP.
+  static LiveLog Load(const std::filesystem::path& run_dir);
+  /// True if the logs of the folder begin with a STEP and hold no TICK before
+  /// it: a live cell's, not one in lockstep.
+  static bool IsLive(const std::filesystem::path& run_dir);
+
+  /// The steps of each life, by its sender id, in order of seq.
+  const std::map<int32_t, std::vector<step_t>>& lives() const { return lives_; }
+
+  /// The message that the journal names, or nullptr.
+  const Message* Find(const MessageId& id) const;
+  /// All that `sender` has said but STEPs and commands passed on, in order.
+  std::vector<const Message*> SaidBy(int32_t sender) const;
+  /// Every message, by tick, channel, sender and seq.
+  std::vector<const Message*> InOrder() const;
+  /// Of the last message.
+  int32_t last_tick() const { return last_tick_; }
+
+  /// What is wrong, in plain words and named by `roster`: damage, messages that
+  /// the log or a service lacks. Empty for a whole log of a cell that lost
+  /// nothing.
+  std::vector<std::string> Problems(const Roster& roster) const;
+  /// Messages that an activation got later than in lockstep.
+  std::vector<std::string> LateMessages(const Roster& roster) const;
+
+ private:
+  using Id = std::tuple<std::string, int32_t, int32_t>;
+
+  void Read(const std::filesystem::path& log);
+
+  std::map<Id, std::vector<Message>> messages_;  // twins: one is forged
+  std::map<int32_t, std::vector<step_t>> lives_;
+  std::vector<std::string> damages_;
+  int32_t last_tick_ = 0;
+};
+
+}  // namespace cell

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/bus/clock_host.h"
+#include "common/bus/live_log.h"
+#include "common/bus/roster.h"
+
+namespace cell {
+
+/// What became of the replay of one service of a live cell.
+struct LiveReplayResult {
+  int64_t num_messages = 0;  ///< recomputed and found equal
+  int num_lives = 0;         ///< in the log
+  /// First thing that differs or is missing, with tick and channel.
+  std::optional<std::string> difference;
+  /// Lives that began before the log: nobody knows their state.
+  std::vector<std::string> skipped;
+};
+
+/// Gives each life of a service, step by step, what the journal says it was
+/// given, and compares every message that it publishes with the one in the log,
+/// byte for byte.
+LiveReplayResult ReplayLive(const LiveLog& log, const Roster& roster,
+                            const std::string& service,
+                            const ServiceFactory& factory);
+
+}  // namespace cell

@@ -1,0 +1,102 @@
+#include "common/bus/live_state.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+namespace cell {
+namespace {
+
+[[noreturn]] void Fail(const std::filesystem::path& path, const char* what) {
+  throw std::runtime_error(
+      fmt::format("{}: {}: {}; name a folder that this user may write with "
+                  "--state-dir",
+                  path.string(), what, std::strerror(errno)));
+}
+
+// Holds the folder's lock while it lives.
+class Lock {
+ public:
+  explicit Lock(const std::filesystem::path& path)
+      : file_(open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+    if (file_ < 0 || flock(file_, LOCK_EX) != 0) Fail(path, "cannot be locked");
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+  ~Lock() { close(file_); }
+
+ private:
+  int file_;
+};
+
+// Whole or not at all, and on disk.
+void Replace(const std::filesystem::path& path, const std::string& text) {
+  const std::string next = path.string() + ".next";
+  const int file =
+      open(next.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
+  if (file < 0) Fail(next, "cannot be written");
+  const bool is_written = write(file, text.data(), text.size()) ==
+                              static_cast<ssize_t>(text.size()) &&
+                          fsync(file) == 0;
+  close(file);
+  if (!is_written) Fail(next, "cannot be written");
+  std::filesystem::rename(next, path);
+}
+
+std::string BootId() {
+  std::ifstream file("/proc/sys/kernel/random/boot_id");
+  std::string id;
+  file >> id;
+  return id;
+}
+
+}  // namespace
+
+LiveState::LiveState(std::filesystem::path dir) : dir_(std::move(dir)) {
+  std::error_code error;
+  std::filesystem::create_directories(dir_, error);
+  if (error) {
+    errno = error.value();
+    Fail(dir_, "cannot be made");
+  }
+}
+
+int64_t LiveState::Epoch(int64_t now_us) const {
+  const Lock lock(dir_ / "lock");
+  const std::filesystem::path path = dir_ / "epoch";
+  std::ifstream file(path);
+  std::string boot;
+  int64_t epoch = 0;
+  if (file >> boot >> epoch && boot == BootId() && epoch <= now_us) {
+    return epoch;
+  }
+  Replace(path, fmt::format("{} {}\n", BootId(), now_us));
+  return now_us;
+}
+
+int32_t LiveState::NextLife(const std::string& service) const {
+  const Lock lock(dir_ / "lock");
+  const std::filesystem::path path = dir_ / (service + ".starts");
+  int32_t life = 0;
+  if (std::ifstream file(path); file && (!(file >> life) || life < 0)) {
+    throw std::runtime_error(path.string() +
+                             ": holds no count of starts; remove it only if no "
+                             "log of this cell is to be replayed any more");
+  }
+  Replace(path, fmt::format("{}\n", life + 1));
+  return life;
+}
+
+void LiveState::Forget() const {
+  const Lock lock(dir_ / "lock");
+  std::filesystem::remove(dir_ / "epoch");
+}
+
+}  // namespace cell

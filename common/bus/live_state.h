@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace cell {
+
+/// What the services of a live cell share on disk: the instant from which its
+/// ticks count, and how often each service has started. Several processes may
+/// use it at the same time.
+class LiveState {
+ public:
+  /// Makes the folder if it is not there.
+  /// @throws std::runtime_error naming the folder or file that cannot be used.
+  explicit LiveState(std::filesystem::path dir);
+
+  /// [us of the monotonic clock] of tick 0: that of the first call since the
+  /// machine has booted, or since Forget().
+  int64_t Epoch(int64_t now_us) const;
+
+  /// How often `service` has started before; counts this start. On disk before
+  /// it returns: no identity is given twice.
+  int32_t NextLife(const std::string& service) const;
+
+  /// Ticks count anew from the next Epoch() on. Only while no service runs.
+  void Forget() const;
+
+ private:
+  std::filesystem::path dir_;
+};
+
+}  // namespace cell

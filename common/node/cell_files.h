@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/bus/roster.h"
+#include "common/config/deployment.h"
+
+namespace cell {
+
+/// The files of a cell and who takes part in it.
+struct CellFiles {
+  Deployment deployment;
+  Roster roster;
+};
+
+/// Reads them from `deploy_dir` (with config/ and tasks/) if it is not empty,
+/// else from the folder deploy beside or above the program (a build tree), else
+/// from where the cell was installed.
+/// @throws std::runtime_error that names where it looked, ConfigError for a
+/// roster that cannot be used.
+CellFiles FindCellFiles(const std::string& deploy_dir);
+
+/// The program of a service: beside this program (a build tree) or where the
+/// cell was installed. @throws std::runtime_error naming both.
+std::filesystem::path FindProgram(const std::string& name);
+
+/// "robot_arm" and "left" of "robot_arm@left"; no instance: empty.
+struct ServiceName {
+  std::string program;
+  std::string instance;
+  static ServiceName Parse(const std::string& name);
+};
+
+}  // namespace cell

@@ -1,0 +1,28 @@
+#include "common/node/service_manager.h"
+
+#include <systemd/sd-daemon.h>
+
+#include <chrono>
+#include <cstdint>
+
+namespace cell {
+
+ProcessHooks TellServiceManager() {
+  using std::chrono::steady_clock;
+  ProcessHooks hooks;
+  hooks.on_ready = [] {
+    sd_notify(0, "READY=1");
+  };
+  uint64_t watchdog_us = 0;
+  if (sd_watchdog_enabled(0, &watchdog_us) <= 0) return hooks;
+  const auto period = std::chrono::microseconds(watchdog_us / 3);
+  hooks.on_alive = [period, last = steady_clock::time_point{}]() mutable {
+    const auto now = steady_clock::now();
+    if (now - last < period) return;
+    last = now;
+    sd_notify(0, "WATCHDOG=1");
+  };
+  return hooks;
+}
+
+}  // namespace cell

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/bus/process_hooks.h"
+
+namespace cell {
+
+/// Tells systemd, if it has started this process, that it is ready, and as
+/// often as the unit's WatchdogSec wants that it is alive.
+ProcessHooks TellServiceManager();
+
+}  // namespace cell
