@@ -50,13 +50,6 @@ void Replace(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::rename(next, path);
 }
 
-std::string BootId() {
-  std::ifstream file("/proc/sys/kernel/random/boot_id");
-  std::string id;
-  file >> id;
-  return id;
-}
-
 }  // namespace
 
 LiveState::LiveState(std::filesystem::path dir) : dir_(std::move(dir)) {
@@ -72,12 +65,9 @@ int64_t LiveState::Epoch(int64_t now_us) const {
   const Lock lock(dir_ / "lock");
   const std::filesystem::path path = dir_ / "epoch";
   std::ifstream file(path);
-  std::string boot;
   int64_t epoch = 0;
-  if (file >> boot >> epoch && boot == BootId() && epoch <= now_us) {
-    return epoch;
-  }
-  Replace(path, fmt::format("{} {}\n", BootId(), now_us));
+  if (file >> epoch && epoch <= now_us) return epoch;
+  Replace(path, fmt::format("{}\n", now_us));
   return now_us;
 }
 

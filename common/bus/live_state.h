@@ -15,8 +15,8 @@ class LiveState {
   /// @throws std::runtime_error naming the folder or file that cannot be used.
   explicit LiveState(std::filesystem::path dir);
 
-  /// [us of the monotonic clock] of tick 0: that of the first call since the
-  /// machine has booted, or since Forget().
+  /// [us of the monotonic clock] of tick 0: that of the first call since
+  /// Forget(), or of the first one that is not before it (after a boot).
   int64_t Epoch(int64_t now_us) const;
 
   /// How often `service` has started before; counts this start. On disk before

@@ -12,7 +12,8 @@ namespace cell {
 using Action = std::function<int()>;
 
 // Each adds one subcommand to the command line and, if it is chosen, sets
-// `action`. One file per command; hold and resume share one.
+// `action`. One file per command; hold and resume share one, and up, down and
+// status.
 void AddDemo(CLI::App& app, Action* action);
 void AddSim(CLI::App& app, Action* action);
 void AddReplay(CLI::App& app, Action* action);
@@ -25,5 +26,9 @@ void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);
 void AddGoal(CLI::App& app, Action* action);
 void AddPrepare(CLI::App& app, Action* action);
+void AddUp(CLI::App& app, Action* action);
+void AddDown(CLI::App& app, Action* action);
+void AddStatus(CLI::App& app, Action* action);
+void AddTop(CLI::App& app, Action* action);
 
 }  // namespace cell

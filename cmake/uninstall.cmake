@@ -1,0 +1,26 @@
+# Removes what `cmake --install` has put there (MANIFEST), and the folders that
+# are empty then; data and logs stay. Run by the target uninstall.
+if(NOT EXISTS ${MANIFEST})
+  message(FATAL_ERROR "${MANIFEST} is not there: nothing was installed from "
+    "this build tree")
+endif()
+file(STRINGS ${MANIFEST} files)
+foreach(file ${files})
+  set(path $ENV{DESTDIR}${file})
+  if(EXISTS ${path} OR IS_SYMLINK ${path})
+    file(REMOVE ${path})
+  endif()
+  # Upwards, as long as a folder of the cell's own is empty.
+  cmake_path(GET path PARENT_PATH folder)
+  while(folder MATCHES "/cell(/|$)")
+    file(GLOB left ${folder}/*)
+    if(left)
+      break()
+    endif()
+    file(REMOVE_RECURSE ${folder})
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+endforeach()
+file(REMOVE ${MANIFEST})
+list(LENGTH files count)
+message(STATUS "removed ${count} files; data and logs are still there")
