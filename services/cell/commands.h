@@ -25,5 +25,6 @@ void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);
 void AddGoal(CLI::App& app, Action* action);
 void AddLog(CLI::App& app, Action* action);
+void AddSpy(CLI::App& app, Action* action);
 
 }  // namespace cell

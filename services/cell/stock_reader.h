@@ -12,7 +12,7 @@ struct StockReading {
   std::string end;  ///< "says that the log ends", "killed by signal 11"
 };
 
-/// Reads `log` with lcm::LogFile, in a child process with bounded memory: a
+/// Reads `log` as they do, in a child process with bounded memory: a
 /// damaged log may crash it. Storage adapter.
 /// @throws std::system_error if no child can be started.
 StockReading ReadAsStockToolsDo(const std::filesystem::path& log);
