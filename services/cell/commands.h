@@ -26,5 +26,7 @@ void AddResume(CLI::App& app, Action* action);
 void AddGoal(CLI::App& app, Action* action);
 void AddLog(CLI::App& app, Action* action);
 void AddSpy(CLI::App& app, Action* action);
+void AddDoctor(CLI::App& app, Action* action);
+void AddTypes(CLI::App& app, Action* action);
 
 }  // namespace cell

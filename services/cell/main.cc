@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
        {cell::AddDemo, cell::AddSim, cell::AddReplay, cell::AddDiff,
         cell::AddEval, cell::AddView, cell::AddCheck, cell::AddEpisode,
         cell::AddHold, cell::AddResume, cell::AddGoal, cell::AddLog,
-        cell::AddSpy}) {
+        cell::AddSpy, cell::AddDoctor, cell::AddTypes}) {
     add(app, &action);
   }
   try {
