@@ -3,3 +3,4 @@ cell_add_test(unit/motion_check_test.cc LINK cell_cli cell_arms cell_geometry ce
 cell_add_test(unit/assembly_observer_test.cc LINK cell_cli cell_vtb cell_geometry cell_sec cell_tracker)
 cell_add_test(unit/pose_looks_test.cc LINK cell_cli)
 cell_add_test(unit/log_audit_test.cc LINK cell_cli cell_recorder)
+cell_add_test(unit/doctor_parts_test.cc LINK cell_cli)

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <optional>
-#include <set>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "services/cell/doctor/proc_table.h"
 
@@ -17,9 +16,8 @@ namespace {
 constexpr char kAddRoute[] = "ip route replace 224.0.0.0/4 dev lo";
 
 bool IsLoopbackUp(const Machine& machine, const Site& site) {
-  // The kernel knows the address as long as the device is up.
-  const auto addresses = machine.Read(site.root + "/proc/net/fib_trie");
-  return addresses && addresses->find("127.0.0.1") != std::string::npos;
+  return HearsMulticast(
+      "lo", machine.Read(site.root + "/proc/net/igmp").value_or(""));
 }
 
 Diagnosis CheckLoopback(const Machine& machine, const Site& site) {

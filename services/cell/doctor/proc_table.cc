@@ -75,6 +75,15 @@ std::optional<std::string> RouteTo(const std::string& address,
   return device;
 }
 
+bool HearsMulticast(const std::string& device, const std::string& igmp_table) {
+  std::istringstream lines(igmp_table);
+  for (std::string line; std::getline(lines, line);) {
+    const auto words = WordsOf(line);
+    if (words.size() > 1 && words[1] == device) return true;
+  }
+  return false;
+}
+
 std::vector<ProcessName> OwnersOfUdpPort(const Machine& machine,
                                          const std::string& root, int port) {
   std::set<std::string> links;  // "socket:[inode]"

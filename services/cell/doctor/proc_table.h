@@ -16,6 +16,9 @@ namespace cell {
 std::optional<std::string> RouteTo(const std::string& address,
                                    const std::string& route_table);
 
+/// Whether a device is up and takes multicast, from the text of /proc/net/igmp.
+bool HearsMulticast(const std::string& device, const std::string& igmp_table);
+
 struct ProcessName {
   int pid = 0;
   std::string name;
