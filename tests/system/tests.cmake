@@ -3,6 +3,8 @@ cell_add_test(system/cell_command_test.cc LINK cell_bus TIMEOUT 900)
 add_dependencies(cell_command_test programs)
 cell_add_test(system/execution_command_test.cc LINK cell_bus TIMEOUT 900)
 add_dependencies(execution_command_test programs)
+cell_add_test(system/log_command_test.cc LINK cell_bus TIMEOUT 300)
+add_dependencies(log_command_test programs)
 cell_add_test(system/doctor_test.cc LINK cell_bus)
 add_dependencies(doctor_test programs)
 # What only a build with Java has (deploy/spy).
