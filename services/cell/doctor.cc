@@ -16,20 +16,6 @@ namespace cell {
 
 namespace fs = std::filesystem;
 
-std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
-  switch (diagnosis.level) {
-    case Diagnosis::Level::kOk:
-      return fmt::format("ok   {}: {}", check, diagnosis.what);
-    case Diagnosis::Level::kWarning:
-      return fmt::format("warn {}: {}; fix: {}", check, diagnosis.what,
-                         diagnosis.fix);
-    case Diagnosis::Level::kBad:
-      break;
-  }
-  return fmt::format("BAD  {}: {}; fix: {}", check, diagnosis.what,
-                     diagnosis.fix);
-}
-
 namespace {
 
 struct DoctorOptions {
@@ -97,6 +83,10 @@ void AddDoctor(CLI::App& app, Action* action) {
                       "folder with config/ and tasks/");
   command->add_option("--programs", options->site.program_dir,
                       "folder of the services (default: that of cell)");
+  command
+      ->add_option("--run", options->site.run_dir,
+                   "a run that is to be replayed: are its message types ours?")
+      ->check(CLI::ExistingDirectory);
   options->site.runs_dir = "runs";
   command
       ->add_option("--runs", options->site.runs_dir,

@@ -11,6 +11,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/manifest.h"
 #include "services/cell/foreign_types.h"
+#include "services/cell/log_frames.h"
 
 namespace cell {
 namespace {
@@ -48,8 +49,7 @@ class Auditor {
   }
 
   LogAudit Audit() {
-    FindDamages();
-    if (audit_.is_canonical) FindOddFrames();
+    audit_.findings = FindOddFrames(index_, audit_.is_canonical);
     if (!audit_.manifests.empty()) {
       FindLostTicks();
       for (const auto& [tick, link] : audit_.manifests) CheckTick(tick, link);
@@ -70,79 +70,11 @@ class Auditor {
 
  private:
   const LogEntry& At(size_t i) const { return index_.entries[i]; }
-  std::string NameOf(size_t file) const {
-    return index_.files[file].filename().string();
-  }
-
   void Report(int32_t tick, const std::string& channel, std::string text) {
     audit_.findings.push_back({"", -1, 0, tick, channel, std::move(text)});
   }
   void ReportEntry(size_t i, std::string text) {
-    const LogEntry& entry = At(i);
-    audit_.findings.push_back({NameOf(entry.file), entry.offset, entry.size,
-                               entry.message.tick, entry.message.channel,
-                               std::move(text)});
-  }
-
-  void FindDamages() {
-    for (const auto& damage : index_.damages) {
-      audit_.findings.push_back(
-          {NameOf(damage.file), damage.offset, damage.length, -1, "",
-           "no whole event begins here" + NumbersLostAt(damage)});
-    }
-  }
-
-  // Which events those were that the damage has cost, by the log's numbers.
-  std::string NumbersLostAt(const LogIndex::Damage& damage) const {
-    const auto& entries = index_.entries;
-    const auto next = std::partition_point(
-        entries.begin(), entries.end(), [&](const LogEntry& entry) {
-          return std::tie(entry.file, entry.offset) <
-                 std::tie(damage.file, damage.offset);
-        });
-    const auto is_there = [&](auto it) {
-      return it->file == damage.file;
-    };
-    const LogEntry* before =
-        next != entries.begin() && is_there(next - 1) ? &*(next - 1) : nullptr;
-    const LogEntry* after =
-        next != entries.end() && is_there(next) ? &*next : nullptr;
-    const int64_t from = before == nullptr ? 0 : before->number + 1;
-    if (after == nullptr) {
-      return fmt::format("; event {} and what may follow are lost", from);
-    }
-    if (after->number == from) return "";  // the event before is cut short
-    if (after->number == from + 1) {
-      return fmt::format("; event {} is lost", from);
-    }
-    return fmt::format("; events {} to {} are lost", from, after->number - 1);
-  }
-
-  // Numbers and stamps of a canonical log follow from what is in it.
-  void FindOddFrames() {
-    std::optional<size_t> before;
-    int64_t expected = 0;
-    for (size_t i = 0; i < index_.entries.size(); ++i) {
-      const LogEntry& entry = At(i);
-      if (before && At(*before).file != entry.file) {
-        before.reset();
-        expected = 0;
-      }
-      const int64_t end = before ? At(*before).offset + At(*before).size : 0;
-      const bool is_after_damage = entry.offset != end;
-      if (is_after_damage && entry.number > expected) expected = entry.number;
-      if (entry.number != expected) {
-        ReportEntry(i, fmt::format("its number is {}, should be {}",
-                                   entry.number, expected));
-      }
-      const int64_t utime = int64_t{entry.message.tick} * kTickUs;
-      if (!entry.is_short && entry.utime != utime) {
-        ReportEntry(i, fmt::format("its stamp is {} us, its tick's is {} us",
-                                   entry.utime, utime));
-      }
-      ++expected;
-      before = i;
-    }
+    audit_.findings.push_back(FindingAt(index_, i, std::move(text)));
   }
 
   void FindLostTicks() {

@@ -200,5 +200,16 @@ TEST_F(Doctor, NamesPackagesAndJarsThatAreMissing) {
   EXPECT_EQ(visit.exit_codes, "011");
 }
 
+TEST_F(Doctor, NamesTheTypesInWhichARunDiffersFromTheBuild) {
+  fs::copy(dir_ / "lcmtypes", dir_ / "runs/sim-0001/lcmtypes");
+  const std::string command =
+      "doctor --programs bin --deploy deploy --run runs/sim-0001 | grep '"
+      "types of the run'";
+  EXPECT_THAT(Cell(command).output, StartsWith("ok "));
+  std::ofstream(dir_ / "runs/sim-0001/lcmtypes/tracks_t.lcm") << "// older";
+  EXPECT_THAT(Cell(command).output,
+              AllOf(StartsWith("BAD "), HasSubstr("tracks_t.lcm")));
+}
+
 }  // namespace
 }  // namespace cell

@@ -17,6 +17,7 @@ struct Site {
   std::string shipped_dir;  ///< the same as it came with the programs
   std::string program_dir;
   std::string runs_dir;
+  std::string run_dir;  ///< one that is to be replayed; may be empty
   LcmAddress address;
   bool is_several_hosts = false;  ///< ttl > 0 is meant
   int64_t min_free_bytes = int64_t{2} << 30;

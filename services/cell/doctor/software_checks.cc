@@ -89,15 +89,22 @@ Diagnosis CheckPrograms(const Machine& machine, const Site& site) {
   return Diagnosis::Ok("every service has one in " + site.program_dir);
 }
 
-// Run folders keep a copy of these texts: they must be what programs speak.
-Diagnosis CheckTypes(const Machine& machine, const Site& site) {
-  const std::string folder =
-      (fs::path(site.deploy_dir).parent_path() / "lcmtypes").string();
+// Files of `folder` that are not as the programs were built with.
+std::vector<std::string> OddTypesIn(const Machine& machine,
+                                    const std::string& folder) {
   std::vector<std::string> odd;
   for (const auto& [name, text] : kTypeTexts) {
     const auto found = machine.Read(fmt::format("{}/{}", folder, name));
     if (!found || *found != text) odd.emplace_back(name);
   }
+  return odd;
+}
+
+// Run folders keep a copy of these texts: they must be what programs speak.
+Diagnosis CheckTypes(const Machine& machine, const Site& site) {
+  const std::string folder =
+      (fs::path(site.deploy_dir).parent_path() / "lcmtypes").string();
+  const std::vector<std::string> odd = OddTypesIn(machine, folder);
   if (odd.empty()) {
     return Diagnosis::Ok(fmt::format("{} texts are those of the programs",
                                      std::size(kTypeTexts)));
@@ -107,6 +114,17 @@ Diagnosis CheckTypes(const Machine& machine, const Site& site) {
                   "{}. Build anew; to have the old texts back:",
                   folder, fmt::join(odd, ", ")),
       fmt::format("{}/cell types --out {}", site.program_dir, folder));
+}
+
+Diagnosis CheckTypesOfRun(const Machine& machine, const Site& site) {
+  if (site.run_dir.empty()) return Diagnosis::Ok("none is asked for (--run)");
+  const std::vector<std::string> odd =
+      OddTypesIn(machine, site.run_dir + "/lcmtypes");
+  if (odd.empty()) return Diagnosis::Ok(site.run_dir + " has this build's");
+  return Diagnosis::Bad(
+      fmt::format("{} was recorded with other texts than this build's: {}",
+                  site.run_dir, fmt::join(odd, ", ")),
+      "replay it with a build of the tree that it was recorded with");
 }
 
 Diagnosis CheckPackages(const Machine& machine, const Site& site) {
@@ -151,9 +169,13 @@ Diagnosis CheckSpy(const Machine& machine, const Site& site) {
 }  // namespace
 
 std::vector<Check> SoftwareChecks() {
-  return {{"roster", CheckRoster},     {"configuration", CheckConfiguration},
-          {"programs", CheckPrograms}, {"message types", CheckTypes},
-          {"packages", CheckPackages}, {"lcm-spy", CheckSpy}};
+  return {{"roster", CheckRoster},
+          {"configuration", CheckConfiguration},
+          {"programs", CheckPrograms},
+          {"message types", CheckTypes},
+          {"types of the run", CheckTypesOfRun},
+          {"packages", CheckPackages},
+          {"lcm-spy", CheckSpy}};
 }
 
 }  // namespace cell
