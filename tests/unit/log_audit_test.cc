@@ -187,6 +187,32 @@ TEST_F(LogAuditTest, OneByteFlippedOrRemovedCostsAtMostOneEventAndIsReported) {
             << num_killed << " times\n";
 }
 
+TEST_F(LogAuditTest, ManyDamagesInOneLogCostOneEventEach) {
+  const std::string whole = ContentsOf(Log());
+  const std::vector<Event> events = EventsOf(Log());
+  std::mt19937 random(7);
+  constexpr size_t kNumDamages = 10;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE("log " + std::to_string(i));
+    std::string bytes = whole;
+    for (size_t j = 0; j < kNumDamages; ++j) {
+      const size_t place = random() % bytes.size();
+      if (random() % 2 == 0) {
+        bytes[place] = static_cast<char>(bytes[place] ^ (1 + random() % 255));
+      } else {
+        bytes.erase(place, 1);
+      }
+    }
+    const LogAudit audit = AuditOfBytes(bytes);
+    const std::vector<Event> repaired = Repaired();
+    const size_t num_true = NumIn(repaired, events);
+    EXPECT_GE(num_true + kNumDamages, events.size());
+    // Only what no TICK proves may be wrong.
+    EXPECT_LE(static_cast<int64_t>(repaired.size() - num_true),
+              audit.num_unproved);
+  }
+}
+
 TEST_F(LogAuditTest, ATruncatedOneKeepsAllBeforeTheCutAndSaysThatItIsCut) {
   const std::string whole = ContentsOf(Log());
   const std::vector<Event> events = EventsOf(Log());
