@@ -36,7 +36,7 @@ const std::set<std::string> kAdapters = {
     "services/cell/row_store.cc",            // rows of an evaluation
     "services/cell/run_folder.cc",           // what a run leaves behind
     "services/cell/stock_reader.cc",         // runs LCM's own reader
-    "services/cell/types.cc",            // writes texts of types
+    "services/cell/types.cc",                // writes texts of types
     "services/recorder/log_store.cc",        // the log
 };
 

@@ -9,6 +9,7 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.io.File;
 import java.lang.reflect.Field;
 import java.util.concurrent.Callable;
@@ -69,12 +70,25 @@ public final class SpyProbe {
       viewer.setBounds(630, 0, 640, 760);
       return null;
     });
-    // Painted once both are done with what is queued before this.
-    for (int i = 0; i < 5; ++i) on(() -> null);
-    Thread.sleep(5 * LOOK_MS);
     final Rectangle screen =
         new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
-    ImageIO.write(new Robot().createScreenCapture(screen), "png", picture);
+    final Robot robot = new Robot();
+    final BufferedImage painted = await(() -> {
+      final BufferedImage image = robot.createScreenCapture(screen);
+      return isPainted(image) ? image : null;
+    });
+    ImageIO.write(painted, "png", picture);
+  }
+
+  // Whether the windows cover most of the screen, which is black without them.
+  private static boolean isPainted(BufferedImage image) {
+    long black = 0;
+    for (int y = 0; y < image.getHeight(); ++y) {
+      for (int x = 0; x < image.getWidth(); ++x) {
+        if ((image.getRGB(x, y) & 0xffffff) == 0) ++black;
+      }
+    }
+    return 5 * black < (long) image.getWidth() * image.getHeight();
   }
 
   private static Integer rowOf(JTable table, String channel) {
