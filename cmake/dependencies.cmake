@@ -37,3 +37,8 @@ find_package(embree 3 REQUIRED)
 find_package(fcl REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
+
+# Optional: Java makes the jar of message types for `cell spy` (deploy/spy).
+find_program(JAVAC javac)
+find_program(JAR jar)
+find_file(LCM_JAR lcm.jar PATHS /usr/share/java NO_DEFAULT_PATH)

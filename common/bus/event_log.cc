@@ -74,8 +74,31 @@ bool EventLogReader::HasSyncAt(size_t position) const {
                     buffer_.begin() + static_cast<std::ptrdiff_t>(position));
 }
 
-// A damaged length may swallow neighbours: an event that neither another one
-// nor the end follows, and that holds a sync word, is not taken for whole.
+// True if a row of whole events begins somewhere after `begin` and goes on to
+// exactly `end`.
+bool EventLogReader::HasEventsBetween(size_t begin, size_t end) const {
+  const auto at = [this](size_t i) {
+    return buffer_.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  auto sync = at(begin + 1);
+  while ((sync = std::search(sync, at(end), kSyncBytes.begin(),
+                             kSyncBytes.end())) != at(end)) {
+    auto position = static_cast<size_t>(sync - buffer_.begin());
+    while (position + kHeaderSize < end && HasSyncAt(position)) {
+      const uint64_t channel_size = Read(buffer_, position + 20, 4);
+      const uint64_t data_size = Read(buffer_, position + 24, 4);
+      if (channel_size == 0 || channel_size > kMaxChannel) break;
+      position += kHeaderSize + channel_size + data_size;
+    }
+    if (position == end) return true;
+    ++sync;
+  }
+  return false;
+}
+
+// A damaged length may swallow neighbours. So an event is not taken for whole
+// if it holds a sync word and nothing follows it, or if it ends where a row of
+// events within it does. (A message may hold a sync word by chance.)
 EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
                                               size_t* size) const {
   const size_t left = buffer_.size() - position;
@@ -96,7 +119,10 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
         end) {
       return Parse::kDamaged;
     }
+  } else if (HasEventsBetween(position, position + *size)) {
+    return Parse::kDamaged;
   }
+  event->offset = offset_ + static_cast<int64_t>(position);
   event->number = std::bit_cast<int64_t>(Read(buffer_, position + 4, 8));
   event->utime = std::bit_cast<int64_t>(Read(buffer_, position + 12, 8));
   const auto data =

@@ -18,6 +18,7 @@ struct LogEvent {
   int64_t utime = 0;
   std::string channel;
   Bytes bytes;
+  int64_t offset = 0;  ///< [bytes] where it begins in the file, if read
 };
 
 /// Writes the format of lcm-logger, readable by every LCM tool.
@@ -67,6 +68,7 @@ class EventLogReader {
   };
   Parse ParseAt(size_t position, LogEvent* event, size_t* size) const;
   bool HasSyncAt(size_t position) const;
+  bool HasEventsBetween(size_t begin, size_t end) const;
   bool ReadMore();
   void SkipToNextSync();
 

@@ -66,14 +66,16 @@ CellFiles FindCellFiles(const std::string& deploy_dir) {
       (places.front().config / "roster.yaml").string()));
 }
 
-fs::path FindProgram(const std::string& name) {
-  const fs::path beside = FolderOfThisProgram() / name;
-  if (fs::exists(beside)) return beside;
-  const fs::path installed = fs::path(kInstalledProgramDir) / name;
-  if (fs::exists(installed)) return installed;
-  throw std::runtime_error(
-      fmt::format("there is no program {} nor {}; build or install the cell",
-                  beside.string(), installed.string()));
+fs::path FolderOfPrograms() {
+  const fs::path beside = FolderOfThisProgram();
+  const fs::path installed = kInstalledProgramDir;
+  // The command line is installed apart from the services.
+  return fs::exists(beside / "recorder") || !fs::exists(installed) ? beside
+                                                                   : installed;
+}
+
+fs::path InstalledDataDir() {
+  return kInstalledDataDir;
 }
 
 ServiceName ServiceName::Parse(const std::string& name) {

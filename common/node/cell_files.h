@@ -21,9 +21,12 @@ struct CellFiles {
 /// roster that cannot be used.
 CellFiles FindCellFiles(const std::string& deploy_dir);
 
-/// The program of a service: beside this program (a build tree) or where the
-/// cell was installed. @throws std::runtime_error naming both.
-std::filesystem::path FindProgram(const std::string& name);
+/// Where the programs of the services are: beside this program (a build tree)
+/// or where the cell was installed.
+std::filesystem::path FolderOfPrograms();
+
+/// Where an installed cell has its tasks, its message types and their jar.
+std::filesystem::path InstalledDataDir();
 
 /// "robot_arm" and "left" of "robot_arm@left"; no instance: empty.
 struct ServiceName {

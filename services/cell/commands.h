@@ -30,5 +30,9 @@ void AddUp(CLI::App& app, Action* action);
 void AddDown(CLI::App& app, Action* action);
 void AddStatus(CLI::App& app, Action* action);
 void AddTop(CLI::App& app, Action* action);
+void AddLog(CLI::App& app, Action* action);
+void AddSpy(CLI::App& app, Action* action);
+void AddDoctor(CLI::App& app, Action* action);
+void AddTypes(CLI::App& app, Action* action);
 
 }  // namespace cell

@@ -12,10 +12,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   cell::Action action;
   for (const auto add :
-       {cell::AddDemo, cell::AddSim, cell::AddReplay, cell::AddDiff,
-        cell::AddEval, cell::AddView, cell::AddCheck, cell::AddEpisode,
-        cell::AddHold, cell::AddResume, cell::AddGoal, cell::AddPrepare,
-        cell::AddUp, cell::AddDown, cell::AddStatus, cell::AddTop}) {
+       {cell::AddDemo, cell::AddSim,    cell::AddReplay, cell::AddDiff,
+        cell::AddEval, cell::AddView,   cell::AddCheck,  cell::AddEpisode,
+        cell::AddHold, cell::AddResume, cell::AddGoal,   cell::AddPrepare,
+        cell::AddUp,   cell::AddDown,   cell::AddStatus, cell::AddTop,
+        cell::AddLog,  cell::AddSpy,    cell::AddDoctor, cell::AddTypes}) {
     add(app, &action);
   }
   try {

@@ -3,3 +3,24 @@ cell_add_test(system/cell_command_test.cc LINK cell_bus TIMEOUT 900)
 add_dependencies(cell_command_test programs)
 cell_add_test(system/execution_command_test.cc LINK cell_bus TIMEOUT 900)
 add_dependencies(execution_command_test programs)
+cell_add_test(system/log_command_test.cc LINK cell_bus TIMEOUT 300)
+add_dependencies(log_command_test programs)
+cell_add_test(system/doctor_test.cc LINK cell_bus)
+add_dependencies(doctor_test programs)
+# What only a build with Java has (deploy/spy).
+if(TARGET spy_jar)
+  set(probe_dir ${CMAKE_CURRENT_BINARY_DIR}/spy)
+  set(probe_java ${CMAKE_CURRENT_SOURCE_DIR}/system/spy/SpyProbe.java)
+  add_custom_command(OUTPUT ${probe_dir}/probe.jar
+    DEPENDS ${probe_java}
+    COMMAND ${JAVAC} --release 17 -d ${probe_dir}/classes ${probe_java}
+    COMMAND ${CMAKE_COMMAND} -E echo "Premain-Class: SpyProbe" > ${probe_dir}/manifest
+    COMMAND ${JAR} --create --file ${probe_dir}/probe.jar
+      --manifest ${probe_dir}/manifest -C ${probe_dir}/classes .)
+  add_custom_target(spy_probe DEPENDS ${probe_dir}/probe.jar)
+  cell_add_test(system/stock_tools_test.cc LINK cell_bus lodepng::lodepng TIMEOUT 300)
+  target_compile_definitions(stock_tools_test PRIVATE
+    CELL_SPY_PROBE="${probe_dir}/probe.jar"
+    CELL_PICTURES_DIR="${CMAKE_BINARY_DIR}/pictures")
+  add_dependencies(stock_tools_test programs spy_jar spy_probe)
+endif()

@@ -79,6 +79,32 @@ TEST_F(EventLog, AnyFlippedOrRemovedByteCostsAtMostOneEvent) {
   }
 }
 
+TEST_F(EventLog, ALengthThatSwallowsItsNeighbourToTheByteCostsOneEvent) {
+  Write(5);
+  std::string bytes = Contents();
+  const size_t event_size = bytes.size() / 5;
+  // The second one claims to end where the third one does.
+  char& low_byte = bytes[event_size + 27];
+  low_byte = static_cast<char>(static_cast<size_t>(low_byte) + event_size);
+  Overwrite(bytes);
+  EXPECT_THAT(ReadChannels(), testing::ElementsAre("C0", "C2", "C3", "C4"));
+  EXPECT_EQ(num_damages_, 1u);
+}
+
+TEST_F(EventLog, ASyncWordWithinAMessageIsNoDamage) {
+  {
+    EventLogWriter writer(Path());
+    Bytes bytes(60, 0);
+    const Bytes sync = {0xED, 0xA1, 0xDA, 0x01};
+    std::copy(sync.begin(), sync.end(), bytes.begin() + 10);
+    for (const char* channel : {"A", "B", "C"}) {
+      writer.Write(0, channel, bytes);
+    }
+  }
+  EXPECT_EQ(ReadChannels().size(), 3u);
+  EXPECT_EQ(num_damages_, 0u);
+}
+
 TEST_F(EventLog, ATruncatedOneKeepsAllBeforeTheCut) {
   Write(5);
   const std::string whole = Contents();

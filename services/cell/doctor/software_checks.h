@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "services/cell/doctor/check.h"
+
+namespace cell {
+
+/// What is installed: configuration, programs, message types, packages, Java.
+std::vector<Check> SoftwareChecks();
+
+}  // namespace cell

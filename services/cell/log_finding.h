@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cell {
+
+/// Something wrong with a log, and where.
+struct LogFinding {
+  std::string file;     ///< empty: of no one place
+  int64_t offset = -1;  ///< [bytes] in the file
+  int64_t length = 0;   ///< [bytes]
+  int32_t tick = -1;
+  std::string channel;
+  std::string text;
+};
+
+/// "cell-0001.lcmlog byte 5132 (97 bytes): tick 13: SUM: ..."
+std::string ToString(const LogFinding& finding);
+
+}  // namespace cell

@@ -1,0 +1,390 @@
+// Damaged, truncated, stock and foreign logs of a toy cell.
+#include "services/cell/log_audit.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <set>
+
+#include "cell/ack_t.hpp"
+#include "common/bus/manifest.h"
+#include "common/bus/run_log.h"
+#include "common/bus/sim_bus.h"
+#include "services/cell/canonical_log.h"
+#include "services/cell/channel_types.h"
+#include "services/cell/stock_reader.h"
+#include "services/recorder/recorder.h"
+#include "tests/unit/toy_services.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ResultOf;
+
+std::vector<std::string> Texts(const LogAudit& audit) {
+  std::vector<std::string> texts;
+  for (const LogFinding& f : audit.findings) texts.push_back(ToString(f));
+  return texts;
+}
+
+std::string ContentsOf(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Events of a log with what stands in their frames.
+using Event = std::tuple<int64_t, std::string, Bytes>;
+std::vector<Event> EventsOf(const fs::path& path) {
+  EventLogReader reader(path);
+  reader.Finish();
+  std::vector<Event> events;
+  while (const auto event = reader.Next()) {
+    events.emplace_back(event->utime, event->channel, event->bytes);
+  }
+  return events;
+}
+
+size_t NumIn(const std::vector<Event>& events, const std::vector<Event>& all) {
+  const std::multiset<Event> set(all.begin(), all.end());
+  return static_cast<size_t>(
+      std::count_if(events.begin(), events.end(),
+                    [&](const Event& event) { return set.contains(event); }));
+}
+
+class LogAuditTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::path(testing::TempDir()) /
+           (std::string("LogAudit-") +
+            testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+    Record();
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(dir_);
+  }
+
+  // A run with a death in it, as the cell's recorder keeps it; beside it what
+  // went over the bus.
+  void Record() {
+    Roster roster = toy::ToyRoster();
+    roster.entries.push_back({"recorder", 1, "recorder"});
+    auto factories = toy::ToyFactories(kNumTicks);
+    factories["recorder"] = [this](Bus& bus) {
+      return std::make_unique<Recorder>(bus, dir_);
+    };
+    SimBus bus(roster, factories, {{"first", 20, 21}});
+    while (bus.Step()) {
+      tick_t tick = bus.last_tick();
+      tick.run = 4711;
+      for (joined_t& joined : tick.joined) joined.nonce = 99;
+      for (const Message& message : bus.last_messages()) {
+        heard_.push_back(message);
+      }
+      Bytes bytes = Bus::Encode(tick);
+      heard_.push_back(*MessageFromWire(kTickChannel, std::move(bytes)));
+    }
+  }
+  fs::path Log() const { return dir_ / "cell-0001.lcmlog"; }
+  fs::path Damaged() const { return dir_ / "damaged"; }
+  LogAudit AuditOf(const fs::path& path) const {
+    return AuditLog(ReadLogIndex({path}));
+  }
+  LogAudit AuditOfBytes(const std::string& bytes) const {
+    std::ofstream(Damaged(), std::ios::binary) << bytes;
+    return AuditOf(Damaged());
+  }
+  std::vector<Event> Repaired() const {
+    const fs::path out = dir_ / "repaired";
+    fs::remove(out);
+    const LogIndex index = ReadLogIndex({Damaged()});
+    WriteCanonicalLog(index, AuditLog(index), out);
+    return EventsOf(out);
+  }
+  // As lcm-logger would have written what was heard.
+  void WriteStock(const fs::path& path,
+                  const std::function<bool(const Message&)>& is_lost) const {
+    EventLogWriter writer(path);
+    int64_t wall_us = 1'700'000'000'000'000;
+    writer.Write(wall_us, "LCM_SELF_TEST", Bytes(12, 'x'));
+    for (const Message& m : heard_) {
+      wall_us += 431;
+      if (is_lost(m)) continue;
+      writer.Write(wall_us, m.channel, *m.bytes);
+      // TICKs are repeated; a service that dies may have said something else.
+      if (m.channel == kTickChannel && m.tick % 7 == 0) {
+        writer.Write(wall_us, m.channel, *m.bytes);
+      }
+      if (m.channel == "DOUBLE" && m.tick == 19) {
+        writer.Write(wall_us, m.channel,
+                     Bus::Encode(toy::Number(m.tick * kTickUs, 1)));
+        writer.Write(wall_us, kAckChannel, Bus::Encode(ack_t{}));
+      }
+    }
+  }
+
+  static constexpr int32_t kNumTicks = 60;
+  fs::path dir_;
+  std::vector<Message> heard_;
+};
+
+TEST_F(LogAuditTest, AWholeLogIsWhole) {
+  const LogAudit audit = AuditOf(Log());
+  EXPECT_TRUE(audit.is_canonical);
+  EXPECT_THAT(Texts(audit), IsEmpty());
+  EXPECT_EQ(audit.manifests.size(), size_t{kNumTicks} + 2);
+  fs::copy(Log(), Damaged());
+  EXPECT_EQ(Repaired(), EventsOf(Log()));
+}
+
+TEST_F(LogAuditTest, OneByteFlippedOrRemovedCostsAtMostOneEventAndIsReported) {
+  const std::string whole = ContentsOf(Log());
+  const std::vector<Event> events = EventsOf(Log());
+  std::mt19937 random(5);
+  constexpr int kNumPlaces = 1000;
+  int64_t num_stock = 0, num_short = 0, num_killed = 0, num_own = 0;
+  for (int i = 0; i < kNumPlaces; ++i) {
+    std::string bytes = whole;
+    const size_t place = random() % bytes.size();
+    const bool is_flip = random() % 2 == 0;
+    if (is_flip) {
+      bytes[place] = static_cast<char>(bytes[place] ^ (1 + random() % 255));
+    } else {
+      bytes.erase(place, 1);
+    }
+    SCOPED_TRACE((is_flip ? "flipped byte " : "removed byte ") +
+                 std::to_string(place));
+    EXPECT_FALSE(AuditOfBytes(bytes).findings.empty());
+    const std::vector<Event> repaired = Repaired();
+    EXPECT_GE(repaired.size(), events.size() - 1);
+    EXPECT_EQ(NumIn(repaired, events), repaired.size())
+        << "one is made up: "
+        << testing::PrintToString(Texts(AuditOf(Damaged())));
+    const StockReading stock = ReadAsStockToolsDo(Damaged());
+    num_own += static_cast<int64_t>(repaired.size());
+    num_stock += stock.num_events;
+    num_short += stock.num_events + 1 < static_cast<int64_t>(events.size());
+    num_killed += stock.end != "says that the log ends";
+  }
+  const double all = static_cast<double>(events.size()) * kNumPlaces;
+  std::cout << "of " << events.size() << " events, one byte damaged at "
+            << kNumPlaces << " places: kept "
+            << 100 * static_cast<double>(num_own) / all
+            << " %; LCM's own reader returns "
+            << 100 * static_cast<double>(num_stock) / all << " %, loses more "
+            << "than one event " << num_short << " times without a word, dies "
+            << num_killed << " times\n";
+}
+
+TEST_F(LogAuditTest, ManyDamagesInOneLogCostOneEventEach) {
+  const std::string whole = ContentsOf(Log());
+  const std::vector<Event> events = EventsOf(Log());
+  std::mt19937 random(7);
+  constexpr size_t kNumDamages = 10;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE("log " + std::to_string(i));
+    std::string bytes = whole;
+    for (size_t j = 0; j < kNumDamages; ++j) {
+      const size_t place = random() % bytes.size();
+      if (random() % 2 == 0) {
+        bytes[place] = static_cast<char>(bytes[place] ^ (1 + random() % 255));
+      } else {
+        bytes.erase(place, 1);
+      }
+    }
+    const LogAudit audit = AuditOfBytes(bytes);
+    const std::vector<Event> repaired = Repaired();
+    const size_t num_true = NumIn(repaired, events);
+    EXPECT_GE(num_true + kNumDamages, events.size());
+    // Only what no TICK proves may be wrong.
+    EXPECT_LE(static_cast<int64_t>(repaired.size() - num_true),
+              audit.num_unproved);
+  }
+}
+
+TEST_F(LogAuditTest, ATruncatedOneKeepsAllBeforeTheCutAndSaysThatItIsCut) {
+  const std::string whole = ContentsOf(Log());
+  const std::vector<Event> events = EventsOf(Log());
+  const LogIndex index = ReadLogIndex({Log()});
+  std::mt19937 random(6);
+  for (int i = 0; i < 300; ++i) {
+    // Half of them at the end of an event.
+    const LogEntry& entry =
+        index.entries[300 + random() % (index.entries.size() - 300)];
+    const auto cut = static_cast<size_t>(
+        entry.offset + (i % 2 == 0 ? 0 : random() % entry.size));
+    SCOPED_TRACE("cut at byte " + std::to_string(cut));
+    EXPECT_FALSE(AuditOfBytes(whole.substr(0, cut)).findings.empty());
+    const auto num = std::partition_point(
+        index.entries.begin(), index.entries.end(), [&](const LogEntry& e) {
+          return static_cast<size_t>(e.offset + e.size) <= cut;
+        });
+    EXPECT_EQ(Repaired(), std::vector<Event>(
+                              events.begin(),
+                              events.begin() + (num - index.entries.begin())));
+  }
+}
+
+TEST_F(LogAuditTest, ALostTickIsRebuiltToTheByte) {
+  const LogIndex index = ReadLogIndex({Log()});
+  const auto victim = std::find_if(
+      index.entries.begin(), index.entries.end(), [](const LogEntry& e) {
+        return e.message.channel == kTickChannel && e.message.tick == 30;
+      });
+  std::string bytes = ContentsOf(Log());
+  bytes.erase(static_cast<size_t>(victim->offset),
+              static_cast<size_t>(victim->size));
+  const LogAudit audit = AuditOfBytes(bytes);
+  EXPECT_THAT(Texts(audit), Contains(AllOf(HasSubstr("tick 30: TICK"),
+                                           HasSubstr("follows from"))));
+  EXPECT_EQ(Repaired(), EventsOf(Log()));
+}
+
+TEST_F(LogAuditTest, ADamagedPayloadIsNamedWithPlaceTickChannelAndDigests) {
+  const LogIndex index = ReadLogIndex({Log()});
+  const auto victim = std::find_if(
+      index.entries.begin(), index.entries.end(), [](const LogEntry& e) {
+        return e.message.channel == "SUM" && e.message.tick > 30;
+      });
+  std::string bytes = ContentsOf(Log());
+  bytes[static_cast<size_t>(victim->offset + victim->size - 1)] ^= 1;
+  const std::vector<std::string> texts = Texts(AuditOfBytes(bytes));
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_THAT(
+      texts[0],
+      AllOf(HasSubstr("byte " + std::to_string(victim->offset)),
+            HasSubstr("tick " + std::to_string(victim->message.tick) + ": SUM"),
+            HasSubstr("is damaged: its digest is")));
+}
+
+TEST_F(LogAuditTest, AStockRecordingConvertsToTheRecordersBytes) {
+  const fs::path stock = dir_ / "stock";
+  WriteStock(stock, [](const Message&) { return false; });
+  const LogIndex index = ReadLogIndex({stock});
+  const LogAudit audit = AuditLog(index);
+  EXPECT_FALSE(audit.is_canonical);
+  EXPECT_THAT(Texts(audit), IsEmpty());
+  EXPECT_GE(audit.num_unnamed, 1);
+  WriteCanonicalLog(index, audit, dir_ / "converted");
+  EXPECT_EQ(ContentsOf(dir_ / "converted"), ContentsOf(Log()));
+}
+
+TEST_F(LogAuditTest, AStockRecordingThatLacksMessagesNamesThem) {
+  const fs::path stock = dir_ / "stock";
+  WriteStock(stock, [](const Message& m) {
+    return m.channel == "ECHO" && (m.tick == 40 || m.tick == 44);
+  });
+  const LogIndex index = ReadLogIndex({stock});
+  const LogAudit audit = AuditLog(index);
+  size_t num_lost = 0;
+  for (const Message& m : heard_) {
+    if (m.channel != "ECHO" || (m.tick != 40 && m.tick != 44)) continue;
+    ++num_lost;
+    EXPECT_THAT(
+        Texts(audit),
+        Contains(HasSubstr("tick " + std::to_string(m.tick) +
+                           ": ECHO: sender 3 seq " + std::to_string(m.seq))));
+  }
+  EXPECT_GE(num_lost, 1u);
+  EXPECT_EQ(audit.findings.size(), num_lost);
+  WriteCanonicalLog(index, audit, dir_ / "converted");
+  const auto converted = EventsOf(dir_ / "converted");
+  EXPECT_EQ(converted.size() + num_lost, EventsOf(Log()).size());
+  EXPECT_EQ(NumIn(converted, EventsOf(Log())), converted.size());
+}
+
+TEST_F(LogAuditTest, AMessageWithAForgedNamesakeIsTheOneOfTheManifest) {
+  const fs::path stock = dir_ / "stock";
+  WriteStock(stock, [](const Message&) { return false; });
+  const auto events = EventsOf(stock);
+  {
+    EventLogWriter writer(stock);
+    for (auto [utime, channel, bytes] : events) {
+      const Bytes good = bytes;
+      bytes.back() ^= 1;
+      if (channel == "SUM") writer.Write(utime, channel, bytes);
+      writer.Write(utime, channel, good);
+    }
+  }
+  const LogIndex index = ReadLogIndex({stock});
+  const LogAudit audit = AuditLog(index);
+  EXPECT_THAT(Texts(audit), IsEmpty());
+  WriteCanonicalLog(index, audit, dir_ / "converted");
+  EXPECT_EQ(ContentsOf(dir_ / "converted"), ContentsOf(Log()));
+}
+
+TEST_F(LogAuditTest, ALogOfOtherTypesIsToldWithChannelAndBothHashes) {
+  auto events = EventsOf(Log());
+  {
+    EventLogWriter writer(Damaged());
+    for (auto& [utime, channel, bytes] : events) {
+      if (channel == kTickChannel) bytes[7] ^= 1;
+      writer.Write(utime, channel, bytes);
+    }
+  }
+  const LogAudit audit = AuditOf(Damaged());
+  EXPECT_THAT(audit.manifests, IsEmpty());
+  const std::vector<std::string> texts = Texts(audit);
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_THAT(texts[0], AllOf(HasSubstr("TICK: "), HasSubstr("tick_t"),
+                              HasSubstr("other message types")));
+  EXPECT_EQ(Repaired().size(), events.size());
+}
+
+TEST_F(LogAuditTest, AForeignLogHasNoManifestsAndIsKeptAsItStands) {
+  {
+    EventLogWriter writer(Damaged());
+    for (int i = 0; i < 10; ++i) writer.Write(i, "POSE", Bytes(50, 7));
+  }
+  std::string bytes = ContentsOf(Damaged());
+  bytes[bytes.size() / 2 + 40] ^= 1;
+  bytes.erase(30, 1);
+  const LogAudit audit = AuditOfBytes(bytes);
+  EXPECT_THAT(audit.manifests, IsEmpty());
+  EXPECT_THAT(Texts(audit), Contains(HasSubstr("event 0 is lost")));
+  EXPECT_EQ(Repaired().size(), 9u);
+}
+
+TEST_F(LogAuditTest, WhatIsNoLogIsSaidToBeNone) {
+  EXPECT_THROW(AuditOfBytes(""), std::runtime_error);
+  EXPECT_THROW(AuditOfBytes(std::string(3000, 'x')), std::runtime_error);
+}
+
+TEST(ChannelTypes, AreThoseOfTheTableOfChannels) {
+  std::ifstream table(fs::path(CELL_SOURCE_DIR) / "lcmtypes" / "README.md");
+  std::string line;
+  size_t num = 0;
+  while (std::getline(table, line)) {
+    // | NAME, NAME | type_t | ...
+    const size_t end_of_names = line.find(" | ");
+    if (!line.starts_with("| ") || end_of_names == std::string::npos) continue;
+    const size_t begin = end_of_names + 3;
+    const std::string type = line.substr(begin, line.find(" |", begin) - begin);
+    if (!type.ends_with("_t")) continue;
+    std::string names = line.substr(2, end_of_names - 2) + ", ";
+    for (size_t comma = 0; (comma = names.find(", ")) != std::string::npos;
+         names.erase(0, comma + 2)) {
+      const std::string name = names.substr(0, comma);
+      const auto known = TypeOfChannel(name);
+      ASSERT_TRUE(known) << name;
+      EXPECT_EQ(known->name, type) << name;
+      ++num;
+    }
+  }
+  EXPECT_GE(num, 30u);
+  EXPECT_FALSE(TypeOfChannel("LCM_SELF_TEST"));
+}
+
+}  // namespace
+}  // namespace cell
