@@ -11,6 +11,9 @@ namespace cell {
 /// What main() runs once the arguments are parsed; its exit code.
 using Action = std::function<int()>;
 
+/// Adds every command to the command line, in the order of its help.
+void AddAllCommands(CLI::App& app, Action* action);
+
 // Each adds one subcommand to the command line and, if it is chosen, sets
 // `action`. One file per command; hold and resume share one, and up, down and
 // status.

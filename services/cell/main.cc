@@ -11,14 +11,7 @@ int main(int argc, char** argv) {
       "Example: cell demo --seed 7");
   app.require_subcommand(1);
   cell::Action action;
-  for (const auto add :
-       {cell::AddDemo, cell::AddSim,    cell::AddReplay, cell::AddDiff,
-        cell::AddEval, cell::AddView,   cell::AddCheck,  cell::AddEpisode,
-        cell::AddHold, cell::AddResume, cell::AddGoal,   cell::AddPrepare,
-        cell::AddUp,   cell::AddDown,   cell::AddStatus, cell::AddTop,
-        cell::AddLog,  cell::AddSpy,    cell::AddDoctor, cell::AddTypes}) {
-    add(app, &action);
-  }
+  cell::AddAllCommands(app, &action);
   try {
     app.parse(argc, argv);
     return action();

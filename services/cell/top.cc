@@ -67,7 +67,7 @@ int RunTop(const TopOptions& options) {
     health_t health{};
     Decode(bytes, &health) ? traffic.Hear(health) : traffic.HearForeign();
   });
-  const std::atomic<bool>& stop = StopOnSignals();
+  const auto& stop = StopOnSignals();
   const Progress clock;
   const bool is_terminal = isatty(STDOUT_FILENO) != 0;
   double begin = 0;

@@ -14,6 +14,9 @@
 namespace cell {
 namespace {
 
+/// Ticks between two looks for what nobody has recognised.
+constexpr int32_t kTellPeriod = 125;
+
 std::optional<Agent> FindAgent(const std::string& name) {
   if (name == "person") return Agent::kPerson;
   if (name == "robot") return Agent::kRobot;
@@ -73,7 +76,7 @@ Planner::Params LoadParams(const Deployment& deployment) {
   const Config domain = deployment.OfTask("domain.yaml");
   const Config config = deployment.ForService("planner");
   Planner::Params params{
-      Domain::FromConfig(domain, PartTable::FromConfig(parts)), {}, {}, {}};
+      Domain::FromConfig(domain, PartTable::FromConfig(parts)), {}, {}, {}, {}};
   params.domain.PassOverGeometry();
   params.domain.PassOverSec();
   domain.Finish();
@@ -82,6 +85,8 @@ Planner::Params LoadParams(const Deployment& deployment) {
   params.monitor.min_detour =
       config.Number("min_detour", 0, std::numeric_limits<double>::max());
   params.monitor.max_remembered = config.Integer("max_remembered", 1, 1 << 20);
+  constexpr double kHourMs = 3'600'000;
+  params.unseen.patience_us = Duration(config, "unseen_ms", kHourMs);
   params.executor =
       LoadExecutor(config["execution"], params.domain, params.search);
   config.Finish();
@@ -113,6 +118,7 @@ Planner::Planner(Bus& bus, Params params)
         [this, name](const auto& m) { return OnReport(name, m); });
   }
   bus_.Every(1, 0, [this] { Decide(); });  // after all messages
+  bus_.Every(kTellPeriod, 0, [this] { TellUnseen(); });
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
@@ -127,6 +133,7 @@ bool Planner::OnEpisode(const episode_t& message) {
     return false;
   }
   monitor_.reset();
+  unseen_.reset();
   executor_.reset();
   // Who joins an episode that runs complains once.
   if (message.phase == episode_t::RUNNING && complained_of_ == message.id) {
@@ -157,6 +164,7 @@ void Planner::Begin(Agent agent, const Goal& goal, int64_t utime) {
   }
   monitor_.emplace(PlanSearch(params_.domain, goal, params_.search),
                    params_.monitor);
+  unseen_.emplace(params_.domain, params_.unseen);
 }
 
 bool Planner::OnGoal(const command_goal_t& message) {
@@ -196,6 +204,7 @@ bool Planner::OnPredicates(const predicates_t& message) {
   if (executor_) executor_->Take(*sensed);
   if (!monitor_) return true;
   sensed->state = WithoutArms(sensed->state, params_.domain.vocabulary());
+  unseen_->Take(*sensed);
   Publish(monitor_->Take(*sensed));
   return true;
 }
@@ -205,7 +214,9 @@ bool Planner::OnAction(const action_t& message) {
   const auto action = FromMessage(message, params_.domain);
   if (!action) return false;
   if (executor_) executor_->Take(*action);
-  if (monitor_) Publish(monitor_->Take(*action));
+  if (!monitor_) return true;
+  unseen_->Take(*action);
+  Publish(monitor_->Take(*action));
   return true;
 }
 
@@ -247,10 +258,17 @@ void Planner::Publish(const Execution& execution) {
   Complain(alert_t::STUCK, "The robot asks: " + execution.text);
 }
 
+void Planner::TellUnseen() {
+  if (!unseen_) return;
+  for (const std::string& text : unseen_->TakeOverdue(bus_.now())) {
+    Complain(alert_t::UNSEEN, text);
+  }
+}
+
 void Planner::Complain(int8_t cause, const std::string& text) {
   alert_t alert{};
   alert.header.utime = bus_.now();
-  alert.level = cause == alert_t::STUCK ? alert_t::WARNING : alert_t::ERROR;
+  alert.level = cause == alert_t::BAD_INPUT ? alert_t::ERROR : alert_t::WARNING;
   alert.cause = cause;
   alert.text = text;
   bus_.Publish("ALERT", alert);

@@ -16,6 +16,7 @@
 #include "common/relational/domain.h"
 #include "services/planner/executor.h"
 #include "services/planner/monitor.h"
+#include "services/planner/unseen_changes.h"
 
 namespace cell {
 
@@ -30,6 +31,7 @@ class Planner final : public Service {
     Domain domain;
     PlanSearch::Params search;
     Monitor::Params monitor;
+    UnseenChanges::Params unseen;
     Executor::Params executor;
   };
 
@@ -48,12 +50,14 @@ class Planner final : public Service {
   const Goal* FindGoal(const std::string& name);
   void Complain(int8_t cause, const std::string& text);
   void Decide();
+  void TellUnseen();
   void Publish(const Monitor::Report& report);
   void Publish(const Execution& execution);
 
   Bus& bus_;
   Params params_;
   std::optional<Monitor> monitor_;        // of a person's episode
+  std::optional<UnseenChanges> unseen_;   // of the same
   std::optional<Executor> executor_;      // of the robot's
   std::optional<int64_t> complained_of_;  // episode
   bool may_act_ = false;

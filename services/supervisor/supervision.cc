@@ -19,6 +19,14 @@ void Supervision::Hear(const std::string& service, int64_t now) {
   if (it != rows_.end()) it->heard = now;
 }
 
+void Supervision::HearLife(const std::string& service, int32_t life) {
+  const auto [known, is_first] = lives_.try_emplace(service, life);
+  if (is_first || life <= known->second) return;
+  known->second = life;
+  Note(AlertLevel::kWarning, Notice::Cause::kRestarted,
+       service + " has started again; what it was doing is lost");
+}
+
 std::vector<Notice> Supervision::Update(int64_t now) {
   for (Row& row : rows_) {
     const bool is_silent = now - row.heard > row.row.silence_us;

@@ -28,7 +28,7 @@ struct Operation {
 
 /// Something a person must know.
 struct Notice {
-  enum class Cause { kSilent, kHeld };
+  enum class Cause { kSilent, kHeld, kRestarted };
   AlertLevel level;
   Cause cause;
   std::string text;
@@ -46,6 +46,9 @@ class Supervision {
 
   /// Of a service that is not in the table: nothing.
   void Hear(const std::string& service, int64_t now);
+  /// The service, in the table or not, has said which life it lives: one that
+  /// follows another has forgotten what it was doing.
+  void HearLife(const std::string& service, int32_t life);
   /// Nothing: no episode.
   void SetAgent(std::optional<Agent> agent) { agent_ = agent; }
   void HoldByOperator();
@@ -71,6 +74,7 @@ class Supervision {
 
   Hold operator_hold_;
   std::vector<Row> rows_;
+  std::map<std::string, int32_t> lives_;    // by service
   std::map<std::string, Cause> silent_;     // by service
   std::map<std::string, Cause> operators_;  // until the operator resumes
   std::optional<Agent> agent_;

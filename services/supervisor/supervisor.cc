@@ -8,6 +8,7 @@
 #include "cell/alert_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/operating_mode_t.hpp"
+#include "common/bus/roster.h"
 
 namespace cell {
 namespace {
@@ -23,6 +24,18 @@ constexpr int64_t kAfterHoldUs = 200'000;
 static_assert(static_cast<int>(Mode::kHold) == motion_permit_t::HOLD);
 static_assert(static_cast<int>(Hold::kAtOnce) == motion_permit_t::AT_ONCE);
 static_assert(static_cast<int>(AlertLevel::kError) == alert_t::ERROR);
+
+int8_t CauseOf(const Notice& notice) {
+  switch (notice.cause) {
+    case Notice::Cause::kSilent:
+      return alert_t::SERVICE_SILENT;
+    case Notice::Cause::kRestarted:
+      return alert_t::RESTARTED;
+    case Notice::Cause::kHeld:
+      break;
+  }
+  return alert_t::HELD;
+}
 
 std::string InCapitals(std::string text) {
   for (char& c : text) {
@@ -98,6 +111,10 @@ bool Supervisor::OnStatus(const status_t& message) {
     return false;
   }
   Watch().Hear(message.service, bus_.now());
+  const int32_t life = message.header.sender / kMaxServices;
+  // Its own first word, too, tells a supervisor that it is not the first one.
+  if (message.service == kName && life > 0) Watch().HearLife(kName, 0);
+  Watch().HearLife(message.service, life);
   return true;
 }
 
@@ -182,8 +199,7 @@ void Supervisor::Publish(const Notice& notice) {
   alert_t alert{};
   alert.header.utime = bus_.now();
   alert.level = static_cast<int8_t>(notice.level);
-  alert.cause = notice.cause == Notice::Cause::kSilent ? alert_t::SERVICE_SILENT
-                                                       : alert_t::HELD;
+  alert.cause = CauseOf(notice);
   alert.text = notice.text;
   bus_.Publish("ALERT", alert);
 }

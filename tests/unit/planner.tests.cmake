@@ -1,6 +1,7 @@
 cell_add_test(unit/plan_search_test.cc LINK cell_planner)
 cell_add_test(unit/cranfield_planning_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/monitor_test.cc LINK cell_planner cell_parts)
+cell_add_test(unit/unseen_changes_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/planner_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/rules_and_sensing_test.cc LINK cell_planner cell_sec)
 cell_add_test(unit/executor_test.cc LINK cell_planner cell_parts)

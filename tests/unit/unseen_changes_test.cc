@@ -1,0 +1,71 @@
+#include "services/planner/unseen_changes.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/cranfield_domain.h"
+
+namespace cell {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr int64_t kSecond = 1'000'000;
+
+class UnseenChangesTest : public testing::Test {
+ protected:
+  UnseenChangesTest()
+      : unseen_(*cranfield_.domain, {.patience_us = 15 * kSecond}) {
+    unseen_.Take({1, 0, before_});
+  }
+  State AfterFirstStep() const { return cranfield_.Do(before_, FirstStep()); }
+  GroundAction FirstStep() const {
+    return cranfield_.Search().Find(before_).steps.at(0).action;
+  }
+  DoneAction Action(int64_t pick_frame, int64_t place_frame, int64_t utime) {
+    return {.index = 1,
+            .utime = utime,
+            .pick_key_frame = pick_frame,
+            .place_key_frame = place_frame,
+            .pick_utime = utime - 2 * kSecond};
+  }
+
+  Cranfield cranfield_;
+  State before_ = cranfield_.Start();
+  UnseenChanges unseen_;
+};
+
+TEST_F(UnseenChangesTest, ARecognisedActionAccountsForWhatItDid) {
+  unseen_.Take({3, 5 * kSecond, AfterFirstStep()});
+  unseen_.Take(Action(2, 4, 6 * kSecond));
+  EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
+}
+
+TEST_F(UnseenChangesTest, WhatSettlesAfterwardsBelongsToTheAction) {
+  unseen_.Take(Action(2, 4, 6 * kSecond));
+  unseen_.Take({5, 7 * kSecond, AfterFirstStep()});
+  EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
+}
+
+TEST_F(UnseenChangesTest, TellsOnceWhatNobodyRecognised) {
+  unseen_.Take({30, 50 * kSecond, AfterFirstStep()});
+  unseen_.Take(Action(2, 4, 6 * kSecond));  // another one
+  EXPECT_THAT(unseen_.TakeOverdue(60 * kSecond), IsEmpty());
+  EXPECT_THAT(unseen_.TakeOverdue(70 * kSecond),
+              ElementsAre(HasSubstr("at 50.00 s")));
+  EXPECT_THAT(unseen_.TakeOverdue(71 * kSecond), IsEmpty());
+}
+
+TEST_F(UnseenChangesTest, WhatIsNotKnownIsNoChange) {
+  State dark = before_;
+  for (int atom = 0; atom < dark.num_atoms(); ++atom) {
+    dark.Set(atom, Truth::kUnknown);
+  }
+  unseen_.Take({2, kSecond, dark});
+  unseen_.Take({3, 2 * kSecond, before_});
+  EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
+}
+
+}  // namespace
+}  // namespace cell
