@@ -72,6 +72,8 @@ class Config {
 
   /// @throws ConfigError "file:key: message".
   [[noreturn]] void Fail(const std::string& message) const;
+  /// The node as YAML that stands for itself.
+  std::string Text() const;
   const std::string& path() const { return path_; }
   const std::string& file() const;
 

@@ -10,6 +10,10 @@
 #include "common/bus/roster.h"
 #include "common/config/deployment.h"
 
+namespace CLI {
+class App;
+}
+
 namespace cell {
 
 /// Builds a service from its files.
@@ -25,8 +29,10 @@ using InstanceMaker = std::function<std::unique_ptr<Service>(
 /// configuration, the bus in lockstep over LCM, until the clock's last tick or
 /// SIGINT or SIGTERM.
 /// @return 0 stopped, 1 failure, 2 usage.
+/// `add_options` adds what this service alone may be told.
 int RunService(const std::string& name, int argc, char** argv,
-               const ServiceMaker& maker);
+               const ServiceMaker& maker,
+               const std::function<void(CLI::App&)>& add_options = {});
 /// Takes the instance from --instance.
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);

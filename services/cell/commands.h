@@ -24,5 +24,6 @@ void AddEpisode(CLI::App& app, Action* action);
 void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);
 void AddGoal(CLI::App& app, Action* action);
+void AddLibrary(CLI::App& app, Action* action);
 
 }  // namespace cell

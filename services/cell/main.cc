@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   for (const auto add :
        {cell::AddDemo, cell::AddSim, cell::AddReplay, cell::AddDiff,
         cell::AddEval, cell::AddView, cell::AddCheck, cell::AddEpisode,
-        cell::AddHold, cell::AddResume, cell::AddGoal}) {
+        cell::AddHold, cell::AddResume, cell::AddGoal, cell::AddLibrary}) {
     add(app, &action);
   }
   try {

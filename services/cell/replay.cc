@@ -36,12 +36,12 @@ int CheckServices(const RunFolder& run, const RunLog& log,
   if (names.empty()) {
     for (const auto& entry : run.roster.entries) names.push_back(entry.name);
   }
-  const auto factories =
-      AllServices(run.deployment, run.demonstration, run.seed);
   int num_different = 0;
   for (const std::string& name : names) {
     std::cout << fmt::format("{:20} ", name) << std::flush;
     run.roster.RequireIndexOf(name);
+    const auto factories =
+        AllServices(run.deployment, run.demonstration, run.seed);
     const ReplayResult result =
         Replay(log, run.roster, name, factories.at(name));
     if (result.difference) {

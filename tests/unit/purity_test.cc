@@ -34,6 +34,7 @@ const std::set<std::string> kAdapters = {
     "services/cell/progress.h",          //
     "services/cell/row_store.cc",        // rows of an evaluation
     "services/cell/run_folder.cc",       // what a run leaves behind
+    "services/library/content_file.cc",  // what a library held
     "services/recorder/log_store.cc",    // the log
 };
 
