@@ -39,6 +39,7 @@ class ActionStore {
       const std::string& name) const = 0;
   /// By id.
   virtual std::vector<ActionRecord> All() const = 0;
+  virtual int64_t Count() const = 0;
 
   /// A run begins: all that is there now was there before its first tick.
   virtual void BeginRun() = 0;

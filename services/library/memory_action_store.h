@@ -15,6 +15,9 @@ class MemoryActionStore final : public ActionStore {
   std::optional<ActionRecord> Find(int64_t id) const override;
   std::optional<ActionRecord> FindNamed(const std::string& name) const override;
   std::vector<ActionRecord> All() const override { return records_; }
+  int64_t Count() const override {
+    return static_cast<int64_t>(records_.size());
+  }
   void BeginRun() override;
   void RollBackTo(int32_t tick) override;
   int schema_version() const override { return 0; }

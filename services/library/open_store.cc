@@ -22,7 +22,7 @@ std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
         database.empty() ? run_dir / kDatabaseName : database,
         SqliteActionStore::Mode::kCreate);
   }
-  if (store->All().empty()) {
+  if (store->Count() == 0) {
     store->Store(TaskActions(deployment.OfTask("domain.yaml")), kBeforeRun);
   }
   // A process that comes back within the run finds it there.

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "common/sec/gallery.h"
 #include "services/library/record_json.h"
 #include "services/library/record_language.h"
 
@@ -34,7 +35,8 @@ std::vector<std::string> TypesOf(const ActionRecord& record) {
 
 RecordCheck::RecordCheck(const Domain& domain, const PartTable& parts,
                          std::set<std::string> skill_settings)
-    : gallery_(domain, parts), skill_settings_(std::move(skill_settings)) {}
+    : gallery_(std::make_shared<const Gallery>(domain, parts)),
+      skill_settings_(std::move(skill_settings)) {}
 
 RecordCheck RecordCheck::FromTask(const Deployment& deployment) {
   const PartTable parts =
@@ -93,7 +95,7 @@ std::optional<Refusal> RecordCheck::NameRefusal(
                                known->id),
                    known->id};
   }
-  if (store.All().size() >= kMaxActions) {
+  if (store.Count() >= kMaxActions) {
     return Refusal{
         Refusal::Kind::kTooLarge,
         fmt::format("the library is full: it has {} actions", kMaxActions)};
@@ -111,8 +113,8 @@ void RecordCheck::RequireSense(const ActionRecord& record,
   if (record.rules.empty()) fail("rules", "missing");
   const Config config = ConfigOf(record);
   const Action action =
-      LoadAction(record.name, config, gallery_.domain().vocabulary());
-  if (action.sec) gallery_.Read(action, 0);
+      LoadAction(record.name, config, gallery_->domain().vocabulary());
+  if (action.sec) gallery_->Read(action, 0);
   config.Finish();
   if (!record.undoes.empty()) {
     const auto undone = store.FindNamed(record.undoes);

@@ -2,15 +2,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "common/config/deployment.h"
-#include "common/sec/gallery.h"
 #include "services/library/action_store.h"
 
 namespace cell {
+
+class Domain;
+class Gallery;
+class PartTable;
 
 /// Why a record is not kept.
 struct Refusal {
@@ -26,7 +30,7 @@ class RecordCheck {
  public:
   static constexpr size_t kMaxBytes = 64 * 1024;  ///< of a record, as JSON
   static constexpr size_t kMaxName = 64;          ///< [characters]
-  static constexpr size_t kMaxActions = 10'000;
+  static constexpr int64_t kMaxActions = 10'000;
 
   /// @param skill_settings  sections of the task's skills.yaml
   RecordCheck(const Domain& domain, const PartTable& parts,
@@ -43,7 +47,7 @@ class RecordCheck {
                                      const ActionStore& store) const;
   void RequireSense(const ActionRecord& record, const ActionStore& store) const;
 
-  Gallery gallery_;
+  std::shared_ptr<const Gallery> gallery_;
   std::set<std::string> skill_settings_;
 };
 

@@ -2,23 +2,40 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <sstream>
+
 namespace cell {
 namespace {
 
 // An alias in a text could stand for more than memory holds.
 constexpr char kAnchors[] = "&*";
 
+std::string Indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string indented;
+  for (std::string line; std::getline(lines, line);) {
+    indented += "  " + line + "\n";
+  }
+  return indented;
+}
+
 YAML::Node Block(const std::string& text, const std::string& where) {
   if (text.find_first_of(kAnchors) != std::string::npos) {
     throw ConfigError(where + ": anchors and aliases (& and *) cannot be kept");
   }
+  // yaml-cpp stops in silence where a document ends too early, and LoadAll()
+  // may not come to an end at all: what comes behind the text must be there.
+  constexpr char kBehind[] = "behind";
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() == 1) return documents[0];
+    const YAML::Node node =
+        YAML::Load("text:\n" + Indented(text) + kBehind + ": it\n");
+    if (node.IsMap() && node.size() == 2 && node[kBehind].IsDefined()) {
+      return node["text"];
+    }
   } catch (const YAML::Exception& e) {
     throw ConfigError(where + ": not YAML: " + e.msg);
   }
-  throw ConfigError(where + ": should be one YAML document");
+  throw ConfigError(where + ": not one whole YAML document");
 }
 
 std::string TextOr(const Config& config, const std::string& key) {

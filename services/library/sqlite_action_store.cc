@@ -1,5 +1,6 @@
 #include "services/library/sqlite_action_store.h"
 
+#include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
@@ -32,12 +33,11 @@ std::string WhatToDo(const SQLite::Exception& e) {
       return "another process owns it; end that one first (a cell that runs "
              "owns its library)";
     case SQLITE_CANTOPEN:
-      return "cannot be opened; is the folder there, and may this user write "
-             "to it?";
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_AUTH:
-      return "may not be written; run as the user who owns file and folder";
+      return "cannot be opened to be written; are file and folder there, and "
+             "may this user write to both?";
     default:
       return e.what();
   }
@@ -48,15 +48,15 @@ std::string WhatToDo(const SQLite::Exception& e) {
   throw StoreError(file.string() + ": " + what);
 }
 
-SQLite::Database Open(const std::filesystem::path& file,
-                      SqliteActionStore::Mode mode) {
+std::unique_ptr<SQLite::Database> Open(const std::filesystem::path& file,
+                                       SqliteActionStore::Mode mode) {
   if (mode == SqliteActionStore::Mode::kExisting &&
       !std::filesystem::exists(file)) {
     Fail(file, "there is no such library");
   }
   try {
-    return SQLite::Database(file.string(),
-                            SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    return std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   } catch (const SQLite::Exception& e) {
     Fail(file, WhatToDo(e));
   }
@@ -98,31 +98,33 @@ SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
     : file_(file), database_(Open(file, mode)) {
   Guarded([&] {
     // First of all: then no second process can get in between.
-    database_.exec("PRAGMA locking_mode = EXCLUSIVE");
-    if (TextFrom(database_, "PRAGMA integrity_check") != "ok") {
+    database_->exec("PRAGMA locking_mode = EXCLUSIVE");
+    if (TextFrom(*database_, "PRAGMA integrity_check") != "ok") {
       Fail(file_, kDamaged);
     }
     try {
       schema_version();  // what is not known is left as it is
-      TextFrom(database_, "PRAGMA journal_mode = WAL");
-      database_.exec("PRAGMA synchronous = FULL");
-      Migrate(database_, LibrarySchema());
+      TextFrom(*database_, "PRAGMA journal_mode = WAL");
+      database_->exec("PRAGMA synchronous = FULL");
+      Migrate(*database_, LibrarySchema());
     } catch (const std::invalid_argument& e) {
       Fail(file_, e.what());
     }
   });
 }
 
+SqliteActionStore::~SqliteActionStore() = default;
+
 std::vector<int64_t> SqliteActionStore::Store(
     std::span<const ActionRecord> records, int32_t tick) {
   return Guarded([&] {
-    SQLite::Transaction transaction(database_);
+    SQLite::Transaction transaction(*database_);
     SQLite::Statement insert(
-        database_,
+        *database_,
         "INSERT INTO action (id, name, record, tick) VALUES (?, ?, ?, ?)");
     int64_t id = 0;
     {
-      SQLite::Statement last(database_, "SELECT max(id) FROM action");
+      SQLite::Statement last(*database_, "SELECT max(id) FROM action");
       if (last.executeStep()) id = last.getColumn(0).getInt64();
     }
     std::vector<int64_t> ids;
@@ -147,7 +149,7 @@ std::vector<int64_t> SqliteActionStore::Store(
 
 std::optional<ActionRecord> SqliteActionStore::Find(int64_t id) const {
   return Guarded([&]() -> std::optional<ActionRecord> {
-    SQLite::Statement rows(database_,
+    SQLite::Statement rows(*database_,
                            "SELECT id, record FROM action WHERE id = ?");
     rows.bind(1, id);
     if (!rows.executeStep()) return std::nullopt;
@@ -158,7 +160,7 @@ std::optional<ActionRecord> SqliteActionStore::Find(int64_t id) const {
 std::optional<ActionRecord> SqliteActionStore::FindNamed(
     const std::string& name) const {
   return Guarded([&]() -> std::optional<ActionRecord> {
-    SQLite::Statement rows(database_,
+    SQLite::Statement rows(*database_,
                            "SELECT id, record FROM action WHERE name = ?");
     rows.bind(1, name);
     if (!rows.executeStep()) return std::nullopt;
@@ -169,16 +171,23 @@ std::optional<ActionRecord> SqliteActionStore::FindNamed(
 std::vector<ActionRecord> SqliteActionStore::All() const {
   return Guarded([&] {
     std::vector<ActionRecord> records;
-    SQLite::Statement rows(database_,
+    SQLite::Statement rows(*database_,
                            "SELECT id, record FROM action ORDER BY id");
     while (rows.executeStep()) records.push_back(RecordFrom(rows, file_));
     return records;
   });
 }
 
+int64_t SqliteActionStore::Count() const {
+  return Guarded([&] {
+    SQLite::Statement row(*database_, "SELECT count(*) FROM action");
+    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+  });
+}
+
 void SqliteActionStore::BeginRun() {
   Guarded([&] {
-    SQLite::Statement update(database_,
+    SQLite::Statement update(*database_,
                              "UPDATE action SET tick = ? WHERE tick <> ?");
     update.bind(1, kBeforeRun);
     update.bind(2, kBeforeRun);
@@ -188,7 +197,7 @@ void SqliteActionStore::BeginRun() {
 
 void SqliteActionStore::RollBackTo(int32_t tick) {
   Guarded([&] {
-    SQLite::Statement remove(database_, "DELETE FROM action WHERE tick >= ?");
+    SQLite::Statement remove(*database_, "DELETE FROM action WHERE tick >= ?");
     remove.bind(1, tick);
     remove.exec();
   });
@@ -196,7 +205,7 @@ void SqliteActionStore::RollBackTo(int32_t tick) {
 
 int SqliteActionStore::schema_version() const {
   return Guarded([&] {
-    return SchemaVersion(database_, static_cast<int>(LibrarySchema().size()));
+    return SchemaVersion(*database_, static_cast<int>(LibrarySchema().size()));
   });
 }
 

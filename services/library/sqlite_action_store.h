@@ -1,10 +1,13 @@
 #pragma once
 
-#include <SQLiteCpp/Database.h>
-
 #include <filesystem>
+#include <memory>
 
 #include "services/library/action_store.h"
+
+namespace SQLite {
+class Database;
+}
 
 namespace cell {
 
@@ -22,12 +25,14 @@ class SqliteActionStore final : public ActionStore {
   /// that names the file and what to do: it is damaged, another program's, of a
   /// newer schema, owned by another process, not to be opened.
   SqliteActionStore(const std::filesystem::path& file, Mode mode);
+  ~SqliteActionStore() override;
 
   std::vector<int64_t> Store(std::span<const ActionRecord> records,
                              int32_t tick) override;
   std::optional<ActionRecord> Find(int64_t id) const override;
   std::optional<ActionRecord> FindNamed(const std::string& name) const override;
   std::vector<ActionRecord> All() const override;
+  int64_t Count() const override;
   void BeginRun() override;
   void RollBackTo(int32_t tick) override;
   int schema_version() const override;
@@ -37,7 +42,7 @@ class SqliteActionStore final : public ActionStore {
   auto Guarded(Function function) const;
 
   std::filesystem::path file_;
-  SQLite::Database database_;
+  std::unique_ptr<SQLite::Database> database_;
 };
 
 }  // namespace cell

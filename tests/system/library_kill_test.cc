@@ -21,7 +21,7 @@ constexpr int kKillsPerFile = 25;
 constexpr int kMaxAcknowledged = 4;  // before a kill
 /// The kill comes so many turns of a loop later at most: somewhere within the
 /// next store, whatever the machine.
-constexpr unsigned kMaxTurns = 400'000;
+constexpr uint32_t kMaxTurns = 400'000;
 
 ActionRecord RecordOf(int64_t number) {
   ActionRecord record;
@@ -67,7 +67,7 @@ class KilledStore {
 
   /// Lets a child store until it has acknowledged `num` records, and `turns` of
   /// a loop longer; how many it acknowledged.
-  size_t StoreAndKill(int num, unsigned turns) {
+  size_t StoreAndKill(int num, uint64_t turns) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     const pid_t child = fork();
@@ -77,7 +77,7 @@ class KilledStore {
     }
     close(ends[1]);
     std::vector<int64_t> ids = ReadIds(ends[0], num);
-    for (volatile unsigned turn = turns; turn > 0;) turn = turn - 1;
+    for (volatile uint64_t turn = turns; turn > 0;) turn = turn - 1;
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <random>
 
+#include "common/sec/gallery.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/record_check.h"
 #include "services/library/record_json.h"
@@ -84,7 +85,8 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_EQ(ReasonFor([](auto&) {}), "");
   EXPECT_THAT(ReasonFor([](auto& r) { r.id = 3; }), HasSubstr("has the id 3"));
   EXPECT_EQ(ReasonFor([](auto& r) { r.name = ""; }), "its name is empty");
-  for (const std::string name : {"two words", "9", "_", std::string(65, 'a')}) {
+  for (const std::string& name :
+       std::vector<std::string>{"two words", "9", "_", std::string(65, 'a')}) {
     EXPECT_THAT(ReasonFor([&](auto& r) { r.name = name; }),
                 HasSubstr("its name is not a letter"));
   }
@@ -104,7 +106,9 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_THAT(ReasonFor([](auto& r) { r.rules = "- context: [On(X)]"; }),
               HasSubstr("LayAside:rules[0].context[0]"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.rules += "\n---\na: 1"; }),
-              HasSubstr("should be one YAML document"));
+              HasSubstr("LayAside:rules: not "));
+  EXPECT_THAT(ReasonFor([](auto& r) { r.rules += "\n]\n"; }),
+              HasSubstr("LayAside:rules: not "));
   EXPECT_THAT(ReasonFor([](auto& r) { r.rules = "[&a [], *a]"; }),
               HasSubstr("anchors and aliases"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.rules = std::string(9000, '['); }),
@@ -147,7 +151,7 @@ TEST_F(Records, WithBytesChangedByChanceNeverThrow) {
     record.name = "Fresh";
     for (std::string* text :
          {&record.sec, &record.rules, &record.robot, &record.skill}) {
-      for (unsigned n = random() % 3; n > 0 && !text->empty(); --n) {
+      for (auto n = random() % 3; n > 0 && !text->empty(); --n) {
         (*text)[random() % text->size()] = static_cast<char>(random() % 128);
       }
     }

@@ -94,8 +94,8 @@ class Contract : public StoreFile, public testing::WithParamInterface<bool> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Stores, Contract, testing::Bool(),
-                         [](const auto& info) {
-                           return info.param ? "Sqlite" : "Memory";
+                         [](const auto& which) {
+                           return which.param ? "Sqlite" : "Memory";
                          });
 
 TEST_P(Contract, IsEmptyAtFirst) {
@@ -114,6 +114,7 @@ TEST_P(Contract, GivesIdsInTheOrderOfStoringAndKeepsEveryWord) {
   EXPECT_EQ(store_->Find(2), odd);
   EXPECT_EQ(store_->FindNamed("Odd"), odd);
   EXPECT_THAT(NamesIn(*store_), ElementsAre("Insert", "Odd"));
+  EXPECT_EQ(store_->Count(), 2);
   EXPECT_EQ(store_->Find(3), std::nullopt);
   EXPECT_EQ(store_->Find(-1), std::nullopt);
 }
@@ -238,23 +239,32 @@ TEST_F(SqliteFile, WithARecordThatCannotBeReadNamesIt) {
   }
 }
 
-TEST_F(SqliteFile, WhereNobodyMayWriteSaysSo) {
+TEST_F(SqliteFile, ThatMayNotBeWrittenSaysSo) {
   { SqliteActionStore store(file_, Mode::kCreate); }
-  fs::permissions(file_, fs::perms::owner_read | fs::perms::others_read);
-  fs::permissions(dir_, fs::perms::owner_read | fs::perms::owner_exec |
-                            fs::perms::others_read | fs::perms::others_exec);
+  using fs::perms;
+  constexpr perms kRead = perms::owner_read | perms::others_read;
+  constexpr perms kEnter = perms::owner_exec | perms::others_exec;
+  constexpr perms kWrite = perms::owner_write | perms::others_write;
   const bool is_root = geteuid() == 0;
   constexpr uid_t kNobody = 65534;
-  if (is_root) ASSERT_EQ(seteuid(kNobody), 0);
-  const std::string complaint = Complaint();
-  if (is_root) ASSERT_EQ(seteuid(0), 0);
-  fs::permissions(dir_, fs::perms::owner_all);
-  EXPECT_THAT(complaint, HasSubstr("may not be written; run as the user"));
+  const auto complaint = [&](perms of_file, perms of_folder) {
+    fs::permissions(file_, of_file);
+    fs::permissions(dir_, of_folder);
+    if (is_root && seteuid(kNobody) != 0) return std::string("is still root");
+    const std::string text = Complaint();
+    if (is_root && seteuid(0) != 0) return std::string("is not root again");
+    fs::permissions(dir_, perms::owner_all);
+    return text;
+  };
+  EXPECT_THAT(complaint(kRead | kWrite, kRead | kEnter),
+              HasSubstr("may this user write to both?"));
+  EXPECT_THAT(complaint(kRead, kRead | kEnter | kWrite),
+              HasSubstr("may this user write to both?"));
 }
 
 TEST_F(SqliteFile, InAFolderThatIsNotThereSaysSo) {
   file_ = dir_ / "nowhere" / "library.db";
-  EXPECT_THAT(Complaint(), HasSubstr("is the folder there"));
+  EXPECT_THAT(Complaint(), HasSubstr("are file and folder there"));
 }
 
 // Schemas to come: each step keeps what was stored under the one before.

@@ -29,7 +29,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr int32_t kNumTicks = 130;
-constexpr size_t kNumOfTask = 16;
+constexpr size_t kNumOfTask = 15;
 
 template <class M>
 M DecodedAs(const Message& message) {
@@ -46,8 +46,8 @@ struct Said {
   std::vector<int64_t> digests;  // of the ticks
 };
 
-Said Run(const Deployment& deployment,
-         std::vector<SimBus::Outage> outages = {}) {
+Said RunCell(const Deployment& deployment,
+             std::vector<SimBus::Outage> outages = {}) {
   SimBus bus(keeping::TheRoster(), keeping::Factories(deployment, kNumTicks),
              std::move(outages));
   Said said;
@@ -73,7 +73,7 @@ std::vector<std::string> NamesPublishedIn(const Said& said, int32_t tick) {
 }
 
 TEST(LibraryService, PublishesAllThatItKnowsAsAnEpisodeStarts) {
-  const Said said = Run(ShippedDeployment());
+  const Said said = RunCell(ShippedDeployment());
   const auto names = NamesPublishedIn(said, 3);
   ASSERT_EQ(names.size(), kNumOfTask);
   const ShippedTask task;
@@ -84,7 +84,7 @@ TEST(LibraryService, PublishesAllThatItKnowsAsAnEpisodeStarts) {
 }
 
 TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
-  const Said said = Run(ShippedDeployment());
+  const Said said = RunCell(ShippedDeployment());
   int64_t next_id = kNumOfTask + 1;
   int num_refused = 0;
   for (const stored_t& answer : said.stored) {
@@ -116,11 +116,12 @@ TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
 }
 
 TEST(LibraryService, DoesTheSameInEveryRun) {
-  EXPECT_EQ(Run(ShippedDeployment()).digests, Run(ShippedDeployment()).digests);
+  EXPECT_EQ(RunCell(ShippedDeployment()).digests,
+            RunCell(ShippedDeployment()).digests);
 }
 
 TEST(LibraryService, KnowsAfterADeathWhatItStoredBeforeAndNothingElse) {
-  const Said said = Run(ShippedDeployment(), {{"library", 50, 61}});
+  const Said said = RunCell(ShippedDeployment(), {{"library", 50, 61}});
   // Asked for in tick 80, published one later.
   const auto names = NamesPublishedIn(said, 2 * keeping::kRequestPeriod + 1);
   std::vector<std::string> expected;
@@ -245,7 +246,7 @@ class RecordedLibrary : public testing::Test {
 };
 
 TEST_F(RecordedLibrary, IsReplayedFromItsContentAtTheStartThroughDeaths) {
-  Run(recorded_, {{"library", 50, 61}, {"library", 90, 91}});
+  RunCell(recorded_, {{"library", 50, 61}, {"library", 90, 91}});
   const ReplayResult replay = Repeat();
   EXPECT_EQ(replay.difference, std::nullopt);
   EXPECT_GT(replay.num_messages, 200);
@@ -253,7 +254,7 @@ TEST_F(RecordedLibrary, IsReplayedFromItsContentAtTheStartThroughDeaths) {
 }
 
 TEST_F(RecordedLibrary, DiffersIfAnotherContentIsPutInItsPlace) {
-  Run(recorded_);
+  RunCell(recorded_);
   auto content = ReadContent(dir_ / kStartContentName);
   content.pop_back();
   WriteContent(dir_ / kStartContentName, content);
