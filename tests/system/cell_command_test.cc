@@ -58,7 +58,7 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   int tick = 400;
   for (int moment = 0; moment < 3; ++moment) {
     for (const char* service : {"tracker", "sec_builder", "recognizer",
-                                "predicate_estimator", "planner"}) {
+                                "predicate_estimator", "planner", "library"}) {
       kills += " --kill " + std::string(service) + "@" + std::to_string(tick);
       tick += 211;
     }
@@ -73,7 +73,7 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
       num_deaths += joined.death_tick >= 0;
     }
   }
-  EXPECT_EQ(num_deaths, 15u);
+  EXPECT_EQ(num_deaths, 18u);
   EXPECT_EQ(
       lcm, Hash("sim --seed 7 --demonstration assembly --out b --deaths-of a"));
   const ShellResult replay = Cell("replay a --check");

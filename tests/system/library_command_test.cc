@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "services/library/open_store.h"
 #include "tests/system/run_cell.h"
+#include "tests/unit/stage_testing.h"
 
 namespace cell {
 namespace {
@@ -16,7 +18,10 @@ class LibraryCommand : public RunCell {
  protected:
   void SetUp() override {
     RunCell::SetUp();
-    ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
+    fs::create_directories(dir_ / "a");
+    Deployment deployment = ShippedDeployment();
+    deployment.run_dir = dir_ / "a";
+    OpenStore(deployment, {});  // as a run does at its start
   }
   void Replace(const fs::path& file, const std::string& from,
                const std::string& to) const {
@@ -35,15 +40,18 @@ TEST_F(LibraryCommand, EachPartShowsAnExample) {
   }
 }
 
-TEST_F(LibraryCommand, ListsAndShowsWhatTheRunStartedWith) {
-  const ShellResult list = Cell("library list --database a");
+TEST_F(LibraryCommand, ListsAndShowsWhatARunHas) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out run").code, 0);
+  EXPECT_EQ(TextOf(dir_ / "run" / "library.json"),
+            TextOf(dir_ / "a" / "library.json"));
+  const ShellResult list = Cell("library list --database run");
   EXPECT_EQ(list.code, 0);
   EXPECT_THAT(
       list.output,
       HasSubstr(
           "   1  PlaceRoundPeg(X: cylindrical_peg, Y: cylindrical_hole)"));
   EXPECT_THAT(list.output, HasSubstr("  15  PutDown(X: movable, A: arm)"));
-  const ShellResult show = Cell("library show 1 --database a/library.db");
+  const ShellResult show = Cell("library show 1 --database run/library.db");
   EXPECT_THAT(show.output, HasSubstr("moved: X"));
   EXPECT_THAT(show.output, HasSubstr("insertion"));
   const ShellResult none = Cell("library show 99 --database a");
