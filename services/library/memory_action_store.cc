@@ -10,19 +10,18 @@ MemoryActionStore::MemoryActionStore(std::span<const ActionRecord> records) {
 
 std::vector<int64_t> MemoryActionStore::Store(
     std::span<const ActionRecord> records, int32_t tick) {
-  std::vector<ActionRecord> all = records_;
+  const size_t num_before = records_.size();
   std::vector<int64_t> ids;
   for (const ActionRecord& record : records) {
-    for (const ActionRecord& known : all) {
-      if (known.name != record.name) continue;
+    if (FindNamed(record.name)) {
+      records_.resize(num_before);
       throw std::invalid_argument("an action '" + record.name +
                                   "' is there already");
     }
-    all.push_back(record);
-    all.back().id = static_cast<int64_t>(all.size());
-    ids.push_back(all.back().id);
+    records_.push_back(record);
+    records_.back().id = static_cast<int64_t>(records_.size());
+    ids.push_back(records_.back().id);
   }
-  records_ = std::move(all);
   ticks_.resize(records_.size(), tick);
   return ids;
 }

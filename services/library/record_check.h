@@ -30,7 +30,7 @@ class RecordCheck {
  public:
   static constexpr size_t kMaxBytes = 64 * 1024;  ///< of a record, as JSON
   static constexpr size_t kMaxName = 64;          ///< [characters]
-  static constexpr int64_t kMaxActions = 10'000;
+  static constexpr int64_t kMaxActions = 1000;
 
   /// @param skill_settings  sections of the task's skills.yaml
   RecordCheck(const Domain& domain, const PartTable& parts,
