@@ -43,7 +43,7 @@ class Config {
     // yaml-cpp reads an empty value as the text "null".
     if (node_.IsNull()) Fail("is empty, should be " + TypeName<T>());
     try {
-      const T value = node_.as<T>();
+      T value = node_.as<T>();
       if constexpr (std::is_floating_point_v<T>) {
         if (!std::isfinite(value)) Fail("is not a finite number" + Shown());
       }

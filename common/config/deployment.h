@@ -13,7 +13,7 @@ struct Deployment {
   std::filesystem::path task_dir;    ///< parts, domain, cell layout, scripts
   std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
   /// A recorded run that is repeated from its own inputs; empty: none is.
-  std::filesystem::path repeated_dir = {};
+  std::filesystem::path repeated_dir;
 
   /// deploy/config/<service>.yaml
   Config ForService(const std::string& service) const {

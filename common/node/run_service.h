@@ -27,9 +27,8 @@ using InstanceMaker = std::function<std::unique_ptr<Service>(
 
 /// The whole of a service's main(): arguments (--help lists them), roster and
 /// configuration, the bus in lockstep over LCM, until the clock's last tick or
-/// SIGINT or SIGTERM.
+/// SIGINT or SIGTERM. `add_options` adds what this service alone may be told.
 /// @return 0 stopped, 1 failure, 2 usage.
-/// `add_options` adds what this service alone may be told.
 int RunService(const std::string& name, int argc, char** argv,
                const ServiceMaker& maker,
                const std::function<void(CLI::App&)>& add_options = {});

@@ -39,7 +39,7 @@ SqliteActionStore OpenExisting(const LibraryOptions& options) {
 std::string Signature(const ActionRecord& record) {
   std::vector<std::string> arguments;
   for (const auto& [name, type] : record.arguments) {
-    arguments.push_back(name + ": " + type);
+    arguments.push_back(fmt::format("{}: {}", name, type));
   }
   return fmt::format("{}({})", record.name, fmt::join(arguments, ", "));
 }

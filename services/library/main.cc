@@ -16,6 +16,6 @@ int main(int argc, char** argv) {
       [&](CLI::App& app) {
         app.add_option("--database", database,
                        "file that keeps the actions (default: library.db in "
-                       "the run folder)");
+                       "the run folder; without one, memory)");
       });
 }

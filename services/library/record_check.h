@@ -28,8 +28,8 @@ struct Refusal {
 /// will read of it must make sense in the words of the task.
 class RecordCheck {
  public:
-  static constexpr size_t kMaxBytes = 64 * 1024;  ///< of a record, as JSON
-  static constexpr size_t kMaxName = 64;          ///< [characters]
+  static constexpr size_t kMaxBytes = 65'536;  ///< of a record, as JSON
+  static constexpr size_t kMaxName = 64;       ///< [characters]
   static constexpr int64_t kMaxActions = 1000;
 
   /// @param skill_settings  sections of the task's skills.yaml

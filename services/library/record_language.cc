@@ -14,7 +14,7 @@ std::string Indented(const std::string& text) {
   std::istringstream lines(text);
   std::string indented;
   for (std::string line; std::getline(lines, line);) {
-    indented += "  " + line + "\n";
+    indented.append("  ").append(line).append("\n");
   }
   return indented;
 }
@@ -86,8 +86,9 @@ std::vector<ActionRecord> TaskActions(const Config& domain_config) {
     record.rules = config["rules"].Text();
     record.robot = TextOr(config, "robot");
     record.skill = TextOr(config, "skill");
-    if (config.Has("skill"))
+    if (!record.skill.empty()) {
       record.skill_settings = SettingsOf(config["skill"]);
+    }
   }
   return records;
 }
