@@ -137,6 +137,11 @@ void Config::Fail(const std::string& message) const {
   throw ConfigError(shared_->file + ":" + path_ + ": " + message);
 }
 
+std::string Config::Text() const {
+  MarkUsed();
+  return YAML::Dump(node_);
+}
+
 const std::string& Config::file() const {
   return shared_->file;
 }

@@ -43,7 +43,7 @@ class Config {
     // yaml-cpp reads an empty value as the text "null".
     if (node_.IsNull()) Fail("is empty, should be " + TypeName<T>());
     try {
-      const T value = node_.as<T>();
+      T value = node_.as<T>();
       if constexpr (std::is_floating_point_v<T>) {
         if (!std::isfinite(value)) Fail("is not a finite number" + Shown());
       }
@@ -72,6 +72,8 @@ class Config {
 
   /// @throws ConfigError "file:key: message".
   [[noreturn]] void Fail(const std::string& message) const;
+  /// The node as YAML that stands for itself.
+  std::string Text() const;
   const std::string& path() const { return path_; }
   const std::string& file() const;
 

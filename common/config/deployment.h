@@ -14,6 +14,8 @@ struct Deployment {
   std::filesystem::path types_dir;  ///< texts of the message types, if there
   std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
   bool is_live = false;  ///< by the wall clock, not in lockstep
+  /// A recorded run that is repeated from its own inputs; empty: none is.
+  std::filesystem::path repeated_dir;
 
   /// deploy/config/<service>.yaml
   Config ForService(const std::string& service) const {

@@ -34,7 +34,8 @@ int Follow(const ServiceArguments& arguments, const Roster& roster,
 }
 
 int Run(const std::string& program, bool has_instances, int argc, char** argv,
-        const InstanceMaker& maker) {
+        const InstanceMaker& maker,
+        const std::function<void(CLI::App&)>& add_options) {
   const std::string of_which = has_instances ? " --instance left" : "";
   CLI::App app("Runs the cell's service " + program +
                " over LCM, in lockstep with the cell's clock, live, or behind "
@@ -51,6 +52,7 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
     app.add_option("--instance", instance, "which of them, as in the roster")
         ->required();
   }
+  if (add_options) add_options(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -91,16 +93,19 @@ const std::atomic<bool>& StopOnSignals() {
 }
 
 int RunService(const std::string& name, int argc, char** argv,
-               const ServiceMaker& maker) {
-  return Run(name, false, argc, argv,
-             [&](Bus& bus, const Deployment& deployment, const std::string&) {
-               return maker(bus, deployment);
-             });
+               const ServiceMaker& maker,
+               const std::function<void(CLI::App&)>& add_options) {
+  return Run(
+      name, false, argc, argv,
+      [&](Bus& bus, const Deployment& deployment, const std::string&) {
+        return maker(bus, deployment);
+      },
+      add_options);
 }
 
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker) {
-  return Run(name, true, argc, argv, maker);
+  return Run(name, true, argc, argv, maker, {});
 }
 
 }  // namespace cell

@@ -8,6 +8,10 @@
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 
+namespace CLI {
+class App;
+}
+
 namespace cell {
 
 /// Builds a service from its files.
@@ -22,10 +26,12 @@ using InstanceMaker = std::function<std::unique_ptr<Service>(
 /// The whole of a service's main(): arguments (--help lists them), roster and
 /// configuration; then the bus over LCM: in lockstep until the clock's last
 /// tick, live (--live), or behind a log that is played (--follow); until SIGINT
-/// or SIGTERM.
+/// or SIGTERM. `add_options` adds what this service alone may be
+/// told.
 /// @return 0 stopped, 1 failure, 2 usage.
 int RunService(const std::string& name, int argc, char** argv,
-               const ServiceMaker& maker);
+               const ServiceMaker& maker,
+               const std::function<void(CLI::App&)>& add_options = {});
 /// Takes the instance from --instance.
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);

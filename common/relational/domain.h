@@ -82,4 +82,9 @@ class Domain {
   std::vector<Goal> goals_;
 };
 
+/// Reads an action as it stands in domain.yaml, but for `undoes`.
+/// @throws ConfigError naming file:key.
+Action LoadAction(const std::string& name, const Config& config,
+                  const Vocabulary& vocabulary);
+
 }  // namespace cell

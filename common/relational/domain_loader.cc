@@ -193,6 +193,24 @@ void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
   action.rules.insert(action.rules.end(), rules.begin(), rules.end());
 }
 
+/// The action that `config` names; its arguments must be those of `undoing`.
+int FindUndone(const Config& config, const Action& undoing,
+               const std::vector<Action>& actions) {
+  const auto name = config.As<std::string>();
+  for (size_t i = 0; i < actions.size(); ++i) {
+    if (actions[i].name != name) continue;
+    const bool are_equal = std::equal(
+        actions[i].arguments.begin(), actions[i].arguments.end(),
+        undoing.arguments.begin(), undoing.arguments.end(),
+        [](const Variable& a, const Variable& b) { return a.type == b.type; });
+    if (!are_equal) config.Fail("'" + name + "' takes other arguments");
+    return static_cast<int>(i);
+  }
+  config.Fail("there is no action '" + name + "'");
+}
+
+}  // namespace
+
 Action LoadAction(const std::string& name, const Config& config,
                   const Vocabulary& vocabulary) {
   Action action;
@@ -215,24 +233,6 @@ Action LoadAction(const std::string& name, const Config& config,
   if (config.Has("sec")) action.sec.emplace(config["sec"]);
   return action;
 }
-
-/// The action that `config` names; its arguments must be those of `undoing`.
-int FindUndone(const Config& config, const Action& undoing,
-               const std::vector<Action>& actions) {
-  const auto name = config.As<std::string>();
-  for (size_t i = 0; i < actions.size(); ++i) {
-    if (actions[i].name != name) continue;
-    const bool are_equal = std::equal(
-        actions[i].arguments.begin(), actions[i].arguments.end(),
-        undoing.arguments.begin(), undoing.arguments.end(),
-        [](const Variable& a, const Variable& b) { return a.type == b.type; });
-    if (!are_equal) config.Fail("'" + name + "' takes other arguments");
-    return static_cast<int>(i);
-  }
-  config.Fail("there is no action '" + name + "'");
-}
-
-}  // namespace
 
 Domain Domain::FromConfig(const Config& config, const PartTable& parts) {
   Domain domain;

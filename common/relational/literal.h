@@ -35,6 +35,7 @@ struct Literal {
 struct Variable {
   std::string name;
   int type;
+  bool operator==(const Variable&) const = default;
 };
 
 /// Objects for the first variables of a rule, in their order.

@@ -20,11 +20,13 @@ struct Effect {
   std::vector<Variable> each;
   std::vector<Literal> where;
   std::vector<Literal> then;
+  bool operator==(const Effect&) const = default;
 };
 
 struct Outcome {
   double probability;
   std::vector<Effect> effects;
+  bool operator==(const Outcome&) const = default;
 };
 
 /// A variable that stands for the one object for which all `literals` hold; if
@@ -32,6 +34,7 @@ struct Outcome {
 struct DeicticReference {
   Variable variable;
   std::vector<Literal> literals;
+  bool operator==(const DeicticReference&) const = default;
 };
 
 /// Noisy deictic rule of an action (Pasula, Zettlemoyer, Kaelbling, JAIR 2007;
@@ -46,6 +49,7 @@ struct NdrRule {
   double noise = 0;
 
   bool IsFor(Agent agent) const;
+  bool operator==(const NdrRule&) const = default;
 };
 
 /// An action with typed arguments and its rules. In each state at most one of

@@ -23,6 +23,7 @@ struct Skill {
   Term part;
   Term site;  ///< of kInsert
   Term arm;
+  bool operator==(const Skill&) const = default;
 
   /// @throws ConfigError for unknown kinds, variables and objects, and for a
   /// site that is missing or too much.

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "cell/ack_t.hpp"
+#include "cell/action_record_t.hpp"
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -16,6 +17,7 @@
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
 #include "cell/key_frame_t.hpp"
+#include "cell/library_request_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
@@ -25,6 +27,7 @@
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/step_t.hpp"
+#include "cell/stored_t.hpp"
 #include "cell/tick_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/truth_action_t.hpp"
@@ -44,6 +47,7 @@ const std::map<std::string, ChannelType>& Table() {
   static const std::map<std::string, ChannelType> table = {
       {"ACK", Of<ack_t>()},
       {"ACTION", Of<action_t>()},
+      {"ACTION_RECORD", Of<action_record_t>()},
       {"ALERT", Of<alert_t>()},
       {"ARM_REPORT_LEFT", Of<arm_report_t>()},
       {"ARM_REPORT_RIGHT", Of<arm_report_t>()},
@@ -59,6 +63,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"HEALTH", Of<health_t>()},
       {"HELLO", Of<hello_t>()},
       {"KEY_FRAME", Of<key_frame_t>()},
+      {"LIBRARY_REQUEST", Of<library_request_t>()},
       {"MODE", Of<operating_mode_t>()},
       {"MOTION_PERMIT", Of<motion_permit_t>()},
       {"PLAN", Of<plan_t>()},
@@ -68,6 +73,8 @@ const std::map<std::string, ChannelType>& Table() {
       {"SKILL_RESULT", Of<skill_result_t>()},
       {"STATUS", Of<status_t>()},
       {"STEP", Of<step_t>()},
+      {"STORED", Of<stored_t>()},
+      {"STORE_REQUEST", Of<action_record_t>()},
       {"TICK", Of<tick_t>()},
       {"TRACKS", Of<tracks_t>()},
       {"TRUTH_ACTIONS", Of<truth_action_t>()},

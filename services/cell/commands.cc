@@ -6,7 +6,7 @@ void AddAllCommands(CLI::App& app, Action* action) {
   for (const auto add : {AddDemo, AddSim,     AddReplay,  AddDiff, AddEval,
                          AddView, AddCheck,   AddUp,      AddDown, AddStatus,
                          AddTop,  AddDoctor,  AddEpisode, AddHold, AddResume,
-                         AddGoal, AddPrepare, AddLog,     AddSpy,  AddTypes}) {
+                         AddGoal, AddPrepare, AddLibrary, AddLog,     AddSpy,  AddTypes}) {
     add(app, action);
   }
 }

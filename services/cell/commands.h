@@ -37,5 +37,6 @@ void AddLog(CLI::App& app, Action* action);
 void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
+void AddLibrary(CLI::App& app, Action* action);
 
 }  // namespace cell

@@ -37,12 +37,12 @@ int CheckServices(const RunFolder& run, std::vector<std::string> names,
   if (names.empty()) {
     for (const auto& entry : run.roster.entries) names.push_back(entry.name);
   }
-  const auto factories =
-      AllServices(run.deployment, run.demonstration, run.seed);
   int num_different = 0;
   for (const std::string& name : names) {
     run.roster.RequireIndexOf(name);
     std::cout << fmt::format("{:20} ", name) << std::flush;
+    const auto factories =
+        AllServices(run.deployment, run.demonstration, run.seed);
     const auto [is_well, line] = replay_of(name, factories.at(name));
     if (!is_well) ++num_different;
     std::cout << line << std::endl;

@@ -86,6 +86,7 @@ RunFolder RunFolder::Open(const std::string& path) {
   const Config config = Config::Load(run.path / "run.yaml");
   run.deployment = DeploymentIn(run.path, config.Get<std::string>("task"));
   run.deployment.run_dir.clear();  // reading must not write
+  run.deployment.repeated_dir = run.path;
   run.demonstration = config.Get<std::string>("demonstration");
   run.seed = config.Get<uint64_t>("seed");
   config.Finish();

@@ -2,6 +2,8 @@
 
 #include "common/layout/cell_layout.h"
 #include "common/node/run_service.h"
+#include "services/library/library.h"
+#include "services/library/open_store.h"
 #include "services/planner/planner.h"
 #include "services/predicate_estimator/predicate_estimator.h"
 #include "services/recognizer/recognizer.h"
@@ -35,6 +37,12 @@ std::map<std::string, ServiceFactory> AllServices(
       {"supervisor", of(MakeSupervisor)},
       {"recorder", of(MakeRecorder)},
   };
+  // The lives of the library share what a disk would hold.
+  factories["library"] =
+      [deployment, store = std::shared_ptr<ActionStore>()](Bus& bus) mutable {
+        if (!store) store = OpenStore(deployment, {});
+        return MakeLibrary(bus, deployment, store);
+      };
   const CellLayout layout =
       CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
   for (const ArmLayout& arm : layout.arms) {

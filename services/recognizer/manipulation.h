@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "services/recognizer/gallery.h"
+#include "common/sec/gallery.h"
 
 namespace cell {
 

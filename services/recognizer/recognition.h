@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/sec/cast.h"
+#include "common/sec/gallery.h"
 #include "common/sec/predicate_sensor.h"
-#include "services/recognizer/gallery.h"
 #include "services/recognizer/manipulation.h"
 
 namespace cell {

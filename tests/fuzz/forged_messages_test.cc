@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cell/ack_t.hpp"
+#include "cell/action_record_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_episode_t.hpp"
@@ -22,6 +23,7 @@
 #include "cell/execution_t.hpp"
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
+#include "cell/library_request_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
@@ -87,6 +89,20 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   samples["EXECUTION"] = {Bus::Encode(execution)};
 }
 
+// What the library is asked: to keep actions like those that it has.
+void AskLibrary(std::map<std::string, std::vector<Bytes>>& samples) {
+  library_request_t request{};
+  request.id = 1;
+  samples["LIBRARY_REQUEST"] = {Bus::Encode(request)};
+  for (const Bytes& bytes : samples.at("ACTION_RECORD")) {
+    action_record_t record{};
+    record.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    record.id = 0;
+    record.name += "Anew";
+    samples["STORE_REQUEST"].push_back(Bus::Encode(record));
+  }
+}
+
 // True messages of a short episode, some of each channel.
 const std::map<std::string, std::vector<Bytes>>& Corpus() {
   static const auto corpus = [] {
@@ -118,6 +134,7 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     samples["COMMAND_MODE"] = {Bus::Encode(mode)};
     samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
     AddOfArms(samples);
+    AskLibrary(samples);
     alert_t alert{};
     alert.text = "the way to the goal has become longer";
     samples["ALERT"] = {Bus::Encode(alert)};
@@ -307,7 +324,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
                     "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
                     "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
-                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT"),
+                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
+                    "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

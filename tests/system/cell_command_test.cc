@@ -58,7 +58,7 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   int tick = 400;
   for (int moment = 0; moment < 3; ++moment) {
     for (const char* service : {"tracker", "sec_builder", "recognizer",
-                                "predicate_estimator", "planner"}) {
+                                "predicate_estimator", "planner", "library"}) {
       kills += " --kill " + std::string(service) + "@" + std::to_string(tick);
       tick += 211;
     }
@@ -73,7 +73,7 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
       num_deaths += joined.death_tick >= 0;
     }
   }
-  EXPECT_EQ(num_deaths, 15u);
+  EXPECT_EQ(num_deaths, 18u);
   EXPECT_EQ(
       lcm, Hash("sim --seed 7 --demonstration assembly --out b --deaths-of a"));
   const ShellResult replay = Cell("replay a --check");
@@ -193,7 +193,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
   }
   for (const char* service :
        {"vtb", "tracker", "sec_builder", "recognizer", "predicate_estimator",
-        "planner", "robot_arm", "supervisor", "recorder"}) {
+        "planner", "robot_arm", "supervisor", "recorder", "library"}) {
     const ShellResult help =
         Shell(std::string(CELL_BIN_DIR) + "/" + service + " --help");
     EXPECT_EQ(help.code, 0) << service;
@@ -234,7 +234,7 @@ TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
   std::ofstream(dir_ / "run.sh")
       << "ip link set lo up && ip route add 224.0.0.0/4 dev lo\n"
          "for s in tracker sec_builder recognizer predicate_estimator planner "
-         "supervisor recorder 'robot_arm --instance left' "
+         "supervisor recorder library 'robot_arm --instance left' "
          "'robot_arm --instance right'; do "
       << bin << "/$s --run-dir . & done\n"
       << bin << "/vtb --pace realtime --giveup 60 & clock=$!\n"

@@ -24,3 +24,10 @@ if(TARGET spy_jar)
     CELL_PICTURES_DIR="${CMAKE_BINARY_DIR}/pictures")
   add_dependencies(stock_tools_test programs spy_jar spy_probe)
 endif()
+cell_add_test(system/library_kill_test.cc LINK cell_library TIMEOUT 300)
+cell_add_test(system/library_death_test.cc
+  LINK cell_cli cell_library cell_recorder cell_tracker Threads::Threads)
+add_dependencies(library_death_test library)
+cell_add_test(system/library_command_test.cc
+  LINK cell_library cell_tracker TIMEOUT 300)
+add_dependencies(library_command_test programs)

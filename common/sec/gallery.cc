@@ -1,4 +1,4 @@
-#include "services/recognizer/gallery.h"
+#include "common/sec/gallery.h"
 
 #include <algorithm>
 
@@ -8,16 +8,18 @@ Gallery::Gallery(const Domain& domain, const PartTable& parts)
     : domain_(domain), parts_(parts) {
   for (size_t i = 0; i < domain_.actions().size(); ++i) {
     const Action& action = domain_.actions()[i];
-    if (!action.sec) continue;
-    const Config& config = *action.sec;
-    const Moment::Role moved = ReadRole(config["moved"], action);
-    if (!std::holds_alternative<size_t>(moved)) {
-      config["moved"].Fail("must be an argument of " + action.name);
-    }
-    entries_.push_back({static_cast<int>(i), std::get<size_t>(moved),
-                        ReadMoment(config["pick"], action),
-                        ReadMoment(config["place"], action)});
+    if (action.sec) entries_.push_back(Read(action, static_cast<int>(i)));
   }
+}
+
+GalleryEntry Gallery::Read(const Action& action, int index) const {
+  const Config& config = action.sec.value();
+  const Moment::Role moved = ReadRole(config["moved"], action);
+  if (!std::holds_alternative<size_t>(moved)) {
+    config["moved"].Fail("must be an argument of " + action.name);
+  }
+  return {index, std::get<size_t>(moved), ReadMoment(config["pick"], action),
+          ReadMoment(config["place"], action)};
 }
 
 Moment Gallery::ReadMoment(const Config& config, const Action& action) const {

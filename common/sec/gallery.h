@@ -51,6 +51,9 @@ class Gallery {
   Gallery(const Domain& domain, const PartTable& parts);
 
   const std::vector<GalleryEntry>& entries() const { return entries_; }
+  /// Of an action that has a `sec` block; it need not be the domain's.
+  /// @throws ConfigError naming file:key.
+  GalleryEntry Read(const Action& action, int index) const;
   const Domain& domain() const { return domain_; }
 
   /// All bindings of the entry's arguments in which the moved one is `part`,

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "services/library/action_record.h"
+
+namespace cell {
+
+/// What keeps the actions failed: what() names the file, and what to do.
+/// Nothing that was stored before is lost.
+class StoreError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Keeps action records; ids are 1, 2, ... in the order of storing. What was
+/// stored in a run carries its tick, so that a service that comes back can
+/// forget what nobody was told of. Every call may throw StoreError.
+class ActionStore {
+ public:
+  ActionStore() = default;
+  ActionStore(const ActionStore&) = delete;
+  ActionStore& operator=(const ActionStore&) = delete;
+  virtual ~ActionStore() = default;
+
+  /// Keeps all of them or none: when it returns, they outlive the process. The
+  /// records' own ids do not count. Their ids.
+  /// @throws std::invalid_argument for a name that is there already.
+  virtual std::vector<int64_t> Store(std::span<const ActionRecord> records,
+                                     int32_t tick) = 0;
+
+  virtual std::optional<ActionRecord> Find(int64_t id) const = 0;
+  virtual std::optional<ActionRecord> FindNamed(
+      const std::string& name) const = 0;
+  /// By id.
+  virtual std::vector<ActionRecord> All() const = 0;
+  virtual int64_t Count() const = 0;
+
+  /// A run begins: all that is there now was there before its first tick.
+  virtual void BeginRun() = 0;
+  /// Forgets what was stored in `tick` of this run and later.
+  virtual void RollBackTo(int32_t tick) = 0;
+
+  virtual int schema_version() const = 0;
+};
+
+/// The tick of what was there before the run.
+inline constexpr int32_t kBeforeRun = -1;
+
+}  // namespace cell

@@ -1,0 +1,114 @@
+#include "services/library/library.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cell/stored_t.hpp"
+#include "cell/tick_t.hpp"
+#include "services/library/record_messages.h"
+
+namespace cell {
+namespace {
+
+constexpr char kName[] = "library";
+
+int8_t OutcomeOf(const Refusal& refusal) {
+  switch (refusal.kind) {
+    case Refusal::Kind::kDuplicate:
+      return stored_t::DUPLICATE;
+    case Refusal::Kind::kTooLarge:
+      return stored_t::TOO_LARGE;
+    case Refusal::Kind::kInvalid:
+      break;
+  }
+  return stored_t::INVALID;
+}
+
+}  // namespace
+
+Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
+                 RecordCheck check)
+    : bus_(bus), store_(std::move(store)), check_(std::move(check)) {
+  bus_.SubscribeBytes("TICK", 1, [this](auto bytes) { return OnTick(bytes); });
+  bus_.Subscribe<episode_t>("EPISODE",
+                            [this](const auto& m) { return OnEpisode(m); });
+  bus_.Subscribe<library_request_t>(
+      "LIBRARY_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  bus_.Subscribe<action_record_t>("STORE_REQUEST",
+                                  [this](const auto& m) { OnStoreRequest(m); });
+}
+
+/// The tick of joining brings nothing but this.
+bool Library::OnTick(std::span<const uint8_t> bytes) {
+  if (std::exchange(has_joined_, true)) return true;
+  tick_t tick{};
+  const int size = static_cast<int>(bytes.size());
+  if (tick.decode(bytes.data(), 0, size) != size) return false;
+  const auto self =
+      std::find_if(tick.joined.begin(), tick.joined.end(),
+                   [](const joined_t& joined) { return joined.name == kName; });
+  if (self == tick.joined.end()) return true;
+  // A life that ended in tick 0 had heard nothing yet.
+  if (self->death_tick > 0) {
+    store_->RollBackTo(self->death_tick);
+  } else {
+    store_->BeginRun();
+  }
+  return true;
+}
+
+bool Library::OnEpisode(const episode_t& message) {
+  if (message.phase == episode_t::START) PublishAll(message.header.utime);
+  return message.phase >= episode_t::START &&
+         message.phase <= episode_t::RUNNING;
+}
+
+bool Library::OnRequest(const library_request_t& message) {
+  if (message.id == 0) {
+    PublishAll(message.header.utime);
+    return true;
+  }
+  const auto record = store_->Find(message.id);
+  if (record) Publish(*record, message.header.utime);
+  return record.has_value();
+}
+
+void Library::OnStoreRequest(const action_record_t& message) {
+  stored_t answer{};
+  answer.header.utime = message.header.utime;
+  answer.request_sender = message.header.sender;
+  answer.request_seq = message.header.seq;
+  ActionRecord record = FromMessage(message);
+  if (const auto refusal = check_.WhyNot(record, *store_)) {
+    answer.outcome = OutcomeOf(*refusal);
+    answer.id = refusal->known_id;
+    answer.reason = refusal->reason;
+    bus_.Publish("STORED", answer);
+    return;
+  }
+  record.id = store_->Store({&record, 1}, bus_.tick()).front();
+  answer.outcome = stored_t::STORED;
+  answer.id = record.id;
+  bus_.Publish("STORED", answer);
+  Publish(record, message.header.utime);
+}
+
+void Library::Publish(const ActionRecord& record, int64_t utime) {
+  action_record_t message = ToMessage(record);
+  message.header.utime = utime;
+  bus_.Publish("ACTION_RECORD", message);
+}
+
+void Library::PublishAll(int64_t utime) {
+  for (const ActionRecord& record : store_->All()) Publish(record, utime);
+}
+
+std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
+                                     std::shared_ptr<ActionStore> store) {
+  // In a live cell nothing is taken back: what is stored was told.
+  if (deployment.is_live) store->BeginRun();
+  return std::make_unique<Library>(bus, std::move(store),
+                                   RecordCheck::FromTask(deployment));
+}
+
+}  // namespace cell

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "cell/action_record_t.hpp"
+#include "cell/episode_t.hpp"
+#include "cell/library_request_t.hpp"
+#include "common/bus/bus.h"
+#include "common/config/deployment.h"
+#include "services/library/action_store.h"
+#include "services/library/record_check.h"
+
+namespace cell {
+
+/// STORE_REQUEST -> STORED, once the store keeps it, and ACTION_RECORD. All
+/// records at an episode's start, and on LIBRARY_REQUEST. What the store holds
+/// when a run begins is an input of this service.
+///
+/// A life that follows a death forgets what was stored in ticks that the dead
+/// one did not answer: nobody was told of it, and in one process it would not
+/// have happened.
+class Library final : public Service {
+ public:
+  /// `bus` must outlive this object.
+  Library(Bus& bus, std::shared_ptr<ActionStore> store, RecordCheck check);
+
+ private:
+  bool OnTick(std::span<const uint8_t> bytes);
+  bool OnEpisode(const episode_t& message);
+  bool OnRequest(const library_request_t& message);
+  void OnStoreRequest(const action_record_t& message);
+  void Publish(const ActionRecord& record, int64_t utime);
+  void PublishAll(int64_t utime);
+
+  Bus& bus_;
+  std::shared_ptr<ActionStore> store_;
+  RecordCheck check_;
+  bool has_joined_ = false;
+};
+
+/// `store` outlives the lives that share it.
+std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
+                                     std::shared_ptr<ActionStore> store);
+
+}  // namespace cell

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "services/library/action_store.h"
+
+namespace cell {
+
+/// Keeps the actions as long as it lives: for replay, evaluations and tests.
+class MemoryActionStore final : public ActionStore {
+ public:
+  /// Holds these from before the run.
+  explicit MemoryActionStore(std::span<const ActionRecord> records = {});
+
+  std::vector<int64_t> Store(std::span<const ActionRecord> records,
+                             int32_t tick) override;
+  std::optional<ActionRecord> Find(int64_t id) const override;
+  std::optional<ActionRecord> FindNamed(const std::string& name) const override;
+  std::vector<ActionRecord> All() const override { return records_; }
+  int64_t Count() const override {
+    return static_cast<int64_t>(records_.size());
+  }
+  void BeginRun() override;
+  void RollBackTo(int32_t tick) override;
+  int schema_version() const override { return 0; }
+
+ private:
+  std::vector<ActionRecord> records_;  // by id
+  std::vector<int32_t> ticks_;         // of each
+};
+
+}  // namespace cell

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "common/config/deployment.h"
+#include "services/library/action_store.h"
+
+namespace cell {
+
+class Domain;
+class Gallery;
+class PartTable;
+
+/// Why a record is not kept.
+struct Refusal {
+  enum class Kind { kDuplicate, kInvalid, kTooLarge };
+  Kind kind = Kind::kInvalid;
+  std::string reason;    ///< in plain words
+  int64_t known_id = 0;  ///< kDuplicate: of the action that has the name
+};
+
+/// Decides whether a record can be kept: all that recognizer, planner and arms
+/// will read of it must make sense in the words of the task.
+class RecordCheck {
+ public:
+  static constexpr size_t kMaxBytes = 65'536;  ///< of a record, as JSON
+  static constexpr size_t kMaxName = 64;       ///< [characters]
+  static constexpr int64_t kMaxActions = 1000;
+
+  /// @param skill_settings  sections of the task's skills.yaml
+  RecordCheck(const Domain& domain, const PartTable& parts,
+              std::set<std::string> skill_settings);
+  /// @throws ConfigError.
+  static RecordCheck FromTask(const Deployment& deployment);
+
+  /// Nothing: `store` may keep it.
+  std::optional<Refusal> WhyNot(const ActionRecord& record,
+                                const ActionStore& store) const;
+
+ private:
+  std::optional<Refusal> NameRefusal(const ActionRecord& record,
+                                     const ActionStore& store) const;
+  void RequireSense(const ActionRecord& record, const ActionStore& store) const;
+
+  std::shared_ptr<const Gallery> gallery_;
+  std::set<std::string> skill_settings_;
+};
+
+}  // namespace cell

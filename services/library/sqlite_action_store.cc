@@ -1,0 +1,212 @@
+#include "services/library/sqlite_action_store.h"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "services/library/record_json.h"
+#include "services/library/sqlite_schema.h"
+
+namespace cell {
+namespace {
+
+constexpr char kDamaged[] =
+    "is damaged; move it away and import what a run folder has kept: cell "
+    "library import RUN/library.json --database FILE";
+
+std::string WhatToDo(const SQLite::Exception& e) {
+  switch (e.getErrorCode()) {
+    case SQLITE_NOTADB:
+      return "is not an SQLite database; name another file, or move it away";
+    case SQLITE_CORRUPT:
+      return kDamaged;
+    case SQLITE_FULL:
+      return "the disk is full; make room";
+    case SQLITE_IOERR:
+      return fmt::format("cannot be read or written ({}); check the disk",
+                         e.what());
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another process owns it; end that one first (a cell that runs "
+             "owns its library)";
+    case SQLITE_CANTOPEN:
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+      return "cannot be opened to be written; are file and folder there, and "
+             "may this user write to both?";
+    default:
+      return e.what();
+  }
+}
+
+[[noreturn]] void Fail(const std::filesystem::path& file,
+                       const std::string& what) {
+  throw StoreError(file.string() + ": " + what);
+}
+
+std::unique_ptr<SQLite::Database> Open(const std::filesystem::path& file,
+                                       SqliteActionStore::Mode mode) {
+  if (mode == SqliteActionStore::Mode::kExisting &&
+      !std::filesystem::exists(file)) {
+    Fail(file, "there is no such library");
+  }
+  try {
+    return std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  } catch (const SQLite::Exception& e) {
+    Fail(file, WhatToDo(e));
+  }
+}
+
+std::string TextFrom(SQLite::Database& database, const char* query) {
+  SQLite::Statement statement(database, query);
+  return statement.executeStep() ? statement.getColumn(0).getString() : "";
+}
+
+ActionRecord RecordFrom(const SQLite::Statement& row,
+                        const std::filesystem::path& file) {
+  const int64_t id = row.getColumn(0).getInt64();
+  const std::string where = fmt::format("{}:action {}", file.string(), id);
+  try {
+    const auto json =
+        nlohmann::json::parse(row.getColumn(1).getString(), nullptr, false);
+    ActionRecord record = RecordFromJson(json, where);
+    if (record.id != id) throw std::invalid_argument(where + ".id: is another");
+    return record;
+  } catch (const std::invalid_argument& e) {
+    throw StoreError(std::string(e.what()) + "; the file " + kDamaged);
+  }
+}
+
+}  // namespace
+
+template <class Function>
+auto SqliteActionStore::Guarded(Function function) const {
+  try {
+    return function();
+  } catch (const SQLite::Exception& e) {
+    Fail(file_, WhatToDo(e));
+  }
+}
+
+SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
+                                     Mode mode)
+    : file_(file), database_(Open(file, mode)) {
+  Guarded([&] {
+    // First of all: then no second process can get in between.
+    database_->exec("PRAGMA locking_mode = EXCLUSIVE");
+    if (TextFrom(*database_, "PRAGMA integrity_check") != "ok") {
+      Fail(file_, kDamaged);
+    }
+    try {
+      schema_version();  // what is not known is left as it is
+      TextFrom(*database_, "PRAGMA journal_mode = WAL");
+      database_->exec("PRAGMA synchronous = FULL");
+      Migrate(*database_, LibrarySchema());
+    } catch (const std::invalid_argument& e) {
+      Fail(file_, e.what());
+    }
+  });
+}
+
+SqliteActionStore::~SqliteActionStore() = default;
+
+std::vector<int64_t> SqliteActionStore::Store(
+    std::span<const ActionRecord> records, int32_t tick) {
+  return Guarded([&] {
+    SQLite::Transaction transaction(*database_);
+    SQLite::Statement insert(
+        *database_,
+        "INSERT INTO action (id, name, record, tick) VALUES (?, ?, ?, ?)");
+    int64_t id = 0;
+    {
+      SQLite::Statement last(*database_, "SELECT max(id) FROM action");
+      if (last.executeStep()) id = last.getColumn(0).getInt64();
+    }
+    std::vector<int64_t> ids;
+    for (ActionRecord record : records) {
+      if (FindNamed(record.name)) {
+        throw std::invalid_argument("an action '" + record.name +
+                                    "' is there already");
+      }
+      record.id = ++id;
+      insert.bind(1, id);
+      insert.bind(2, record.name);
+      insert.bind(3, JsonOf(record));
+      insert.bind(4, tick);
+      insert.exec();
+      insert.reset();
+      ids.push_back(id);
+    }
+    transaction.commit();
+    return ids;
+  });
+}
+
+std::optional<ActionRecord> SqliteActionStore::Find(int64_t id) const {
+  return Guarded([&]() -> std::optional<ActionRecord> {
+    SQLite::Statement rows(*database_,
+                           "SELECT id, record FROM action WHERE id = ?");
+    rows.bind(1, id);
+    if (!rows.executeStep()) return std::nullopt;
+    return RecordFrom(rows, file_);
+  });
+}
+
+std::optional<ActionRecord> SqliteActionStore::FindNamed(
+    const std::string& name) const {
+  return Guarded([&]() -> std::optional<ActionRecord> {
+    SQLite::Statement rows(*database_,
+                           "SELECT id, record FROM action WHERE name = ?");
+    rows.bind(1, name);
+    if (!rows.executeStep()) return std::nullopt;
+    return RecordFrom(rows, file_);
+  });
+}
+
+std::vector<ActionRecord> SqliteActionStore::All() const {
+  return Guarded([&] {
+    std::vector<ActionRecord> records;
+    SQLite::Statement rows(*database_,
+                           "SELECT id, record FROM action ORDER BY id");
+    while (rows.executeStep()) records.push_back(RecordFrom(rows, file_));
+    return records;
+  });
+}
+
+int64_t SqliteActionStore::Count() const {
+  return Guarded([&] {
+    SQLite::Statement row(*database_, "SELECT count(*) FROM action");
+    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+  });
+}
+
+void SqliteActionStore::BeginRun() {
+  Guarded([&] {
+    SQLite::Statement update(*database_,
+                             "UPDATE action SET tick = ? WHERE tick <> ?");
+    update.bind(1, kBeforeRun);
+    update.bind(2, kBeforeRun);
+    update.exec();
+  });
+}
+
+void SqliteActionStore::RollBackTo(int32_t tick) {
+  Guarded([&] {
+    SQLite::Statement remove(*database_, "DELETE FROM action WHERE tick >= ?");
+    remove.bind(1, tick);
+    remove.exec();
+  });
+}
+
+int SqliteActionStore::schema_version() const {
+  return Guarded([&] {
+    return SchemaVersion(*database_, static_cast<int>(LibrarySchema().size()));
+  });
+}
+
+}  // namespace cell

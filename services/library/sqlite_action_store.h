@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "services/library/action_store.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace cell {
+
+/// Keeps the actions in an SQLite file, of which this process is the sole owner
+/// as long as it lives. Storage adapter. A transaction is on the disk when it
+/// returns (WAL, full sync): a death at any moment loses none of them.
+class SqliteActionStore final : public ActionStore {
+ public:
+  enum class Mode {
+    kCreate,   ///< makes the file if it is not there
+    kExisting  ///< it must be there
+  };
+
+  /// Checks the file and brings it to the newest schema. @throws StoreError
+  /// that names the file and what to do: it is damaged, another program's, of a
+  /// newer schema, owned by another process, not to be opened.
+  SqliteActionStore(const std::filesystem::path& file, Mode mode);
+  ~SqliteActionStore() override;
+
+  std::vector<int64_t> Store(std::span<const ActionRecord> records,
+                             int32_t tick) override;
+  std::optional<ActionRecord> Find(int64_t id) const override;
+  std::optional<ActionRecord> FindNamed(const std::string& name) const override;
+  std::vector<ActionRecord> All() const override;
+  int64_t Count() const override;
+  void BeginRun() override;
+  void RollBackTo(int32_t tick) override;
+  int schema_version() const override;
+
+ private:
+  template <class Function>
+  auto Guarded(Function function) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+}  // namespace cell

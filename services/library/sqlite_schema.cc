@@ -1,0 +1,71 @@
+#include "services/library/sqlite_schema.h"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace cell {
+namespace {
+
+// "CELL": tells a library's file from other programs'.
+constexpr int kApplicationId = 0x43454c4c;
+
+constexpr std::array kSteps = {
+    // record: JSON (record_json.h). tick: in which it was stored in the run
+    // that lasts, -1: before it.
+    R"sql(
+      CREATE TABLE action (
+        id INTEGER PRIMARY KEY,
+        name TEXT NOT NULL UNIQUE,
+        record TEXT NOT NULL,
+        tick INTEGER NOT NULL
+      ) STRICT;
+    )sql",
+};
+
+int Number(const SQLite::Database& database, const char* query) {
+  SQLite::Statement statement(database, query);
+  return statement.executeStep() ? statement.getColumn(0).getInt() : 0;
+}
+
+}  // namespace
+
+std::span<const char* const> LibrarySchema() {
+  return kSteps;
+}
+
+int SchemaVersion(const SQLite::Database& database, int newest) {
+  const int version = Number(database, "PRAGMA user_version");
+  const int application = Number(database, "PRAGMA application_id");
+  const int num_tables = Number(database, "SELECT count(*) FROM sqlite_schema");
+  if (version == 0 && application == 0 && num_tables == 0) return 0;
+  if (application != kApplicationId || version < 1) {
+    throw std::invalid_argument(
+        "is the database of another program; name another file");
+  }
+  if (version > newest) {
+    throw std::invalid_argument(fmt::format(
+        "has schema {}, newer than {}, the newest known here; use the version "
+        "of the cell that wrote it, or a newer one",
+        version, newest));
+  }
+  return version;
+}
+
+void Migrate(SQLite::Database& database, std::span<const char* const> steps) {
+  const int newest = static_cast<int>(steps.size());
+  const int version = SchemaVersion(database, newest);
+  if (version == newest) return;
+  SQLite::Transaction transaction(database);
+  for (int i = version; i < newest; ++i) {
+    database.exec(steps[static_cast<size_t>(i)]);
+  }
+  database.exec(fmt::format("PRAGMA application_id = {}", kApplicationId));
+  database.exec(fmt::format("PRAGMA user_version = {}", newest));
+  transaction.commit();
+}
+
+}  // namespace cell

@@ -1,0 +1,131 @@
+// cell library, as its users run it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "services/library/open_store.h"
+#include "tests/system/run_cell.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class LibraryCommand : public RunCell {
+ protected:
+  void SetUp() override {
+    RunCell::SetUp();
+    fs::create_directories(dir_ / "a");
+    Deployment deployment = ShippedDeployment();
+    deployment.run_dir = dir_ / "a";
+    OpenStore(deployment, {});  // as a run does at its start
+  }
+  void Replace(const fs::path& file, const std::string& from,
+               const std::string& to) const {
+    std::string text = TextOf(file);
+    const size_t at = text.find(from);
+    ASSERT_LT(at, text.size());
+    std::ofstream(file) << text.replace(at, from.size(), to);
+  }
+};
+
+TEST_F(LibraryCommand, EachPartShowsAnExample) {
+  for (const char* part : {"", " list", " show", " export", " import"}) {
+    const ShellResult help = Cell("library" + std::string(part) + " --help");
+    EXPECT_EQ(help.code, 0) << part;
+    EXPECT_THAT(help.output, HasSubstr("Example: cell library")) << part;
+  }
+}
+
+TEST_F(LibraryCommand, ListsAndShowsWhatARunHas) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out run").code, 0);
+  EXPECT_EQ(TextOf(dir_ / "run" / "library.json"),
+            TextOf(dir_ / "a" / "library.json"));
+  const ShellResult list = Cell("library list --database run");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_THAT(
+      list.output,
+      HasSubstr(
+          "   1  PlaceRoundPeg(X: cylindrical_peg, Y: cylindrical_hole)"));
+  EXPECT_THAT(list.output, HasSubstr("  15  PutDown(X: movable, A: arm)"));
+  const ShellResult show = Cell("library show 1 --database run/library.db");
+  EXPECT_THAT(show.output, HasSubstr("moved: X"));
+  EXPECT_THAT(show.output, HasSubstr("insertion"));
+  const ShellResult none = Cell("library show 99 --database a");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.output, HasSubstr("no action has the id 99"));
+}
+
+TEST_F(LibraryCommand, ExportedIsImportedWithTheSameIds) {
+  EXPECT_EQ(Cell("library export all.json --database a").code, 0);
+  EXPECT_EQ(TextOf(dir_ / "all.json"), TextOf(dir_ / "a" / "library.json"));
+  const ShellResult run = Cell("library import all.json --database new.db");
+  EXPECT_THAT(run.output,
+              HasSubstr("15 actions imported, 0 were there already"));
+  EXPECT_THAT(Cell("library import all.json --database new.db").output,
+              HasSubstr("0 actions imported, 15 were there already"));
+  EXPECT_EQ(Cell("library export new.json --database new.db").code, 0);
+  EXPECT_EQ(TextOf(dir_ / "new.json"), TextOf(dir_ / "all.json"));
+}
+
+TEST_F(LibraryCommand, WhatCannotBeKeptIsNamedAndNothingIsImported) {
+  Replace(dir_ / "a" / "library.json", "\"ScrewHead\"", "\"Screw head\"");
+  const ShellResult name =
+      Cell("library import a/library.json --database new.db");
+  EXPECT_EQ(name.code, 1);
+  EXPECT_THAT(name.output,
+              HasSubstr("a/library.json:actions[4]: its name is not a letter"));
+  EXPECT_EQ(Cell("library list --database new.db").output, "");
+  Replace(dir_ / "a" / "library.json", "\"undoes\"", "\"undone\"");
+  EXPECT_THAT(Cell("library import a/library.json --database new.db").output,
+              HasSubstr("a/library.json:actions[0].undone: not known"));
+}
+
+TEST_F(LibraryCommand, AnotherActionOfTheSameNameIsRefused) {
+  Replace(dir_ / "a" / "library.json", "0.95", "0.9500");
+  const ShellResult run = Cell("library import a/library.json --database a");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' is there "
+                                    "already, with id 1; nothing was"));
+}
+
+TEST_F(LibraryCommand, AMissingDatabaseIsNamedAndNotMade) {
+  const ShellResult run = Cell("library list --database nothing.db");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, HasSubstr("nothing.db: there is no such library"));
+  EXPECT_FALSE(fs::exists(dir_ / "nothing.db"));
+}
+
+TEST_F(LibraryCommand, AFullDiskLosesNothing) {
+  // More than the disk has room for.
+  std::string many = TextOf(dir_ / "a" / "library.json");
+  const size_t begin = many.find("  {\n   \"id\": 11");
+  const size_t end = many.find("  {\n   \"id\": 12");
+  ASSERT_LT(begin, end);
+  const std::string entry = many.substr(begin, end - begin);
+  const std::string name = "\"RemoveHead\"";
+  ASSERT_LT(entry.find(name), entry.size());
+  std::string added;
+  for (int i = 0; i < 500; ++i) {
+    std::string copy = entry;
+    added += copy.replace(copy.find(name), name.size(),
+                          "\"More" + std::to_string(i) + "\"");
+  }
+  std::ofstream(dir_ / "many.json") << many.insert(end, added);
+  std::ofstream(dir_ / "run.sh")
+      << "set -e; mkdir small; mount -t tmpfs -o size=128k none small\n"
+      << "cp a/library.db small/\n"
+      << kCell << " library import many.json --database small || true\n"
+      << kCell << " library list --database small | tail -1\n";
+  const ShellResult run = Shell("cd " + dir_.string() + " && " +
+                                InPrivateNetwork() + "-m bash run.sh");
+  EXPECT_THAT(run.output,
+              HasSubstr("small/library.db: the disk is full; make"));
+  EXPECT_THAT(run.output, HasSubstr("15  PutDown("));
+}
+
+}  // namespace
+}  // namespace cell

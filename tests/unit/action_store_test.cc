@@ -1,0 +1,315 @@
+// What every store of actions promises, and what the file of one does.
+#include "services/library/action_store.h"
+
+#include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Statement.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "services/library/memory_action_store.h"
+#include "services/library/sqlite_action_store.h"
+#include "services/library/sqlite_schema.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Mode = SqliteActionStore::Mode;
+
+ActionRecord Named(const std::string& name) {
+  return {0,
+          name,
+          {{"X", "bolt"}, {"Y", "hole"}},
+          {"person", "robot"},
+          "",
+          "moved: X",
+          "- context: []",
+          "",
+          "kind: insert",
+          "insertion"};
+}
+
+int64_t StoreOne(ActionStore& store, const std::string& name, int32_t tick) {
+  const ActionRecord record = Named(name);
+  return store.Store({&record, 1}, tick).front();
+}
+
+std::vector<std::string> NamesIn(const ActionStore& store) {
+  std::vector<std::string> names;
+  for (const ActionRecord& record : store.All()) names.push_back(record.name);
+  return names;
+}
+
+class StoreFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test.test_suite_name()) + "-" + test.name();
+    std::replace(name.begin(), name.end(), '/', '-');
+    dir_ = fs::path(testing::TempDir()) / name;
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+    file_ = dir_ / "library.db";
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+
+  std::string Complaint() const {
+    try {
+      SqliteActionStore store(file_, Mode::kCreate);
+      return "none";
+    } catch (const StoreError& e) {
+      return e.what();
+    }
+  }
+  std::string Bytes() const {
+    std::ifstream stream(file_);
+    std::stringstream bytes;
+    bytes << stream.rdbuf();
+    return bytes.str();
+  }
+
+  fs::path dir_, file_;
+};
+
+/// The same tests on both.
+class Contract : public StoreFile, public testing::WithParamInterface<bool> {
+ protected:
+  void SetUp() override {
+    StoreFile::SetUp();
+    if (GetParam()) {
+      store_ = std::make_unique<SqliteActionStore>(file_, Mode::kCreate);
+    } else {
+      store_ = std::make_unique<MemoryActionStore>();
+    }
+  }
+  std::unique_ptr<ActionStore> store_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Stores, Contract, testing::Bool(),
+                         [](const auto& which) {
+                           return which.param ? "Sqlite" : "Memory";
+                         });
+
+TEST_P(Contract, IsEmptyAtFirst) {
+  EXPECT_THAT(store_->All(), IsEmpty());
+  EXPECT_EQ(store_->Find(1), std::nullopt);
+  EXPECT_EQ(store_->FindNamed("Insert"), std::nullopt);
+}
+
+TEST_P(Contract, GivesIdsInTheOrderOfStoringAndKeepsEveryWord) {
+  ActionRecord odd = Named("Odd");
+  odd.id = 77;  // does not count
+  odd.rules = "- context: [\"a 'quoted' thing\", \u00e4]\n\t\"\\ '; --";
+  EXPECT_EQ(StoreOne(*store_, "Insert", 3), 1);
+  EXPECT_THAT(store_->Store({&odd, 1}, 4), ElementsAre(2));
+  odd.id = 2;
+  EXPECT_EQ(store_->Find(2), odd);
+  EXPECT_EQ(store_->FindNamed("Odd"), odd);
+  EXPECT_THAT(NamesIn(*store_), ElementsAre("Insert", "Odd"));
+  EXPECT_EQ(store_->Count(), 2);
+  EXPECT_EQ(store_->Find(3), std::nullopt);
+  EXPECT_EQ(store_->Find(-1), std::nullopt);
+}
+
+TEST_P(Contract, KeepsAllOfThemOrNone) {
+  StoreOne(*store_, "Insert", 0);
+  const std::vector<ActionRecord> records = {Named("New"), Named("Insert")};
+  EXPECT_THROW(store_->Store(records, 1), std::invalid_argument);
+  EXPECT_THAT(NamesIn(*store_), ElementsAre("Insert"));
+  EXPECT_EQ(StoreOne(*store_, "New", 1), 2);
+}
+
+TEST_P(Contract, RollsBackWhatWasStoredFromATickOnAndGivesTheIdsAnew) {
+  StoreOne(*store_, "Before", kBeforeRun);
+  for (int32_t tick = 1; tick <= 4; ++tick) {
+    StoreOne(*store_, "In" + std::to_string(tick), tick);
+  }
+  store_->RollBackTo(3);
+  EXPECT_THAT(NamesIn(*store_), ElementsAre("Before", "In1", "In2"));
+  EXPECT_EQ(StoreOne(*store_, "Other", 5), 4);
+}
+
+TEST_P(Contract, ARunThatBeginsKeepsAllThatIsThere) {
+  StoreOne(*store_, "Insert", 500);
+  store_->BeginRun();
+  StoreOne(*store_, "Remove", 20);
+  store_->RollBackTo(10);
+  EXPECT_THAT(NamesIn(*store_), ElementsAre("Insert"));
+}
+
+using SqliteFile = StoreFile;
+
+TEST_F(SqliteFile, IsReadAgainByTheNextProcessWithItsTicks) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    StoreOne(store, "Insert", 5);
+    StoreOne(store, "Remove", 6);
+  }
+  SqliteActionStore store(file_, Mode::kExisting);
+  EXPECT_THAT(NamesIn(store), ElementsAre("Insert", "Remove"));
+  store.RollBackTo(6);
+  EXPECT_THAT(NamesIn(store), ElementsAre("Insert"));
+  EXPECT_EQ(store.schema_version(), static_cast<int>(LibrarySchema().size()));
+}
+
+TEST_F(SqliteFile, WritesAhead) {
+  SqliteActionStore store(file_, Mode::kCreate);
+  StoreOne(store, "Insert", 0);
+  EXPECT_TRUE(fs::exists(file_.string() + "-wal"));
+}
+
+TEST_F(SqliteFile, HasOneOwner) {
+  SqliteActionStore store(file_, Mode::kCreate);
+  const std::string complaint = Complaint();
+  EXPECT_THAT(complaint, HasSubstr(file_.string()));
+  EXPECT_THAT(complaint, HasSubstr("another process owns it"));
+}
+
+TEST_F(SqliteFile, IsNotMadeIfItMustBeThere) {
+  EXPECT_THROW(SqliteActionStore(file_, Mode::kExisting), StoreError);
+  EXPECT_FALSE(fs::exists(file_));
+}
+
+TEST_F(SqliteFile, OfANewerSchemaIsLeftAsItIs) {
+  {
+    SQLite::Database database(file_.string(),
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    Migrate(database, LibrarySchema());
+    database.exec("PRAGMA user_version = 99");
+  }
+  const std::string before = Bytes();
+  EXPECT_THAT(Complaint(), HasSubstr("has schema 99, newer than"));
+  EXPECT_EQ(Bytes(), before);
+}
+
+TEST_F(SqliteFile, OfAnotherProgramIsLeftAsItIs) {
+  {
+    SQLite::Database database(file_.string(),
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database.exec("CREATE TABLE recipe (name TEXT)");
+  }
+  const std::string before = Bytes();
+  EXPECT_THAT(Complaint(), HasSubstr("is the database of another program"));
+  EXPECT_EQ(Bytes(), before);
+}
+
+TEST_F(SqliteFile, OfNoDatabaseIsLeftAsItIs) {
+  std::ofstream(file_) << std::string(5000, 'x');
+  EXPECT_THAT(Complaint(), HasSubstr("is not an SQLite database"));
+  EXPECT_EQ(Bytes(), std::string(5000, 'x'));
+}
+
+TEST_F(SqliteFile, ThatIsDamagedIsNamedWithTheFix) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    for (int i = 0; i < 200; ++i) StoreOne(store, "A" + std::to_string(i), 0);
+  }
+  std::fstream stream(file_, std::ios::in | std::ios::out);
+  stream.seekp(4096 + 8);  // the second page: a table's
+  stream << std::string(64, '\x55');
+  stream.close();
+  const std::string complaint = Complaint();
+  EXPECT_THAT(complaint, HasSubstr(file_.string() + ": is damaged"));
+  EXPECT_THAT(complaint, HasSubstr("cell library import"));
+}
+
+TEST_F(SqliteFile, WithARecordThatCannotBeReadNamesIt) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    StoreOne(store, "Insert", 0);
+  }
+  {
+    SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+    database.exec("UPDATE action SET record = '{\"id\": 1}'");
+  }
+  SqliteActionStore store(file_, Mode::kExisting);
+  try {
+    store.All();
+    FAIL() << "read it";
+  } catch (const StoreError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("action 1.name: missing"));
+  }
+}
+
+TEST_F(SqliteFile, ThatMayNotBeWrittenSaysSo) {
+  { SqliteActionStore store(file_, Mode::kCreate); }
+  using fs::perms;
+  constexpr perms kRead = perms::owner_read | perms::others_read;
+  constexpr perms kEnter = perms::owner_exec | perms::others_exec;
+  constexpr perms kWrite = perms::owner_write | perms::others_write;
+  const bool is_root = geteuid() == 0;
+  constexpr uid_t kNobody = 65534;
+  const auto complaint = [&](perms of_file, perms of_folder) {
+    fs::permissions(file_, of_file);
+    fs::permissions(dir_, of_folder);
+    if (is_root && seteuid(kNobody) != 0) return std::string("is still root");
+    const std::string text = Complaint();
+    if (is_root && seteuid(0) != 0) return std::string("is not root again");
+    fs::permissions(dir_, perms::owner_all);
+    return text;
+  };
+  EXPECT_THAT(complaint(kRead | kWrite, kRead | kEnter),
+              HasSubstr("may this user write to both?"));
+  EXPECT_THAT(complaint(kRead, kRead | kEnter | kWrite),
+              HasSubstr("may this user write to both?"));
+}
+
+TEST_F(SqliteFile, InAFolderThatIsNotThereSaysSo) {
+  file_ = dir_ / "nowhere" / "library.db";
+  EXPECT_THAT(Complaint(), HasSubstr("are file and folder there"));
+}
+
+// Schemas to come: each step keeps what was stored under the one before.
+class Migration : public StoreFile {
+ protected:
+  Migration()
+      : database_(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {}
+
+  static constexpr const char* kFirst = "CREATE TABLE a (x INTEGER)";
+  static constexpr const char* kSecond =
+      "ALTER TABLE a ADD COLUMN y TEXT DEFAULT 'old'";
+  static constexpr const char* kBroken =
+      "CREATE TABLE b (z INTEGER); CREATE TABLE a (x INTEGER)";
+
+  std::string RowText() {
+    SQLite::Statement row(database_, "SELECT x || y FROM a");
+    return row.executeStep() ? row.getColumn(0).getString() : "";
+  }
+  SQLite::Database database_;
+};
+
+TEST_F(Migration, TakesTheStepsThatAreMissingAndKeepsTheContent) {
+  const char* const first[] = {kFirst};
+  Migrate(database_, first);
+  EXPECT_EQ(SchemaVersion(database_, 2), 1);
+  database_.exec("INSERT INTO a VALUES (7)");
+  const char* const both[] = {kFirst, kSecond};
+  Migrate(database_, both);
+  EXPECT_EQ(SchemaVersion(database_, 2), 2);
+  EXPECT_EQ(RowText(), "7old");
+  Migrate(database_, both);  // changes nothing
+  EXPECT_EQ(RowText(), "7old");
+  EXPECT_THROW(Migrate(database_, first), std::invalid_argument);
+}
+
+TEST_F(Migration, ThatFailsChangesNothing) {
+  const char* const first[] = {kFirst};
+  Migrate(database_, first);
+  const char* const broken[] = {kFirst, kSecond, kBroken};
+  EXPECT_THROW(Migrate(database_, broken), SQLite::Exception);
+  EXPECT_EQ(SchemaVersion(database_, 3), 1);
+  SQLite::Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
+  ASSERT_TRUE(tables.executeStep());
+  EXPECT_EQ(tables.getColumn(0).getInt(), 1);
+}
+
+}  // namespace
+}  // namespace cell

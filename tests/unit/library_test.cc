@@ -1,0 +1,283 @@
+// The library on a bus: what it answers, and that it knows after a death what
+// it said before it.
+#include "services/library/library.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "cell/stored_t.hpp"
+#include "common/bus/manifest.h"
+#include "common/bus/replay.h"
+#include "common/bus/run_log.h"
+#include "common/bus/sim_bus.h"
+#include "common/bus/stepper.h"
+#include "services/library/content_file.h"
+#include "services/library/memory_action_store.h"
+#include "services/library/record_language.h"
+#include "tests/unit/keeping_cell.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr int32_t kNumTicks = 130;
+constexpr size_t kNumOfTask = 15;
+
+template <class M>
+M DecodedAs(const Message& message) {
+  M decoded{};
+  const int size = static_cast<int>(message.bytes->size());
+  EXPECT_EQ(decoded.decode(message.bytes->data(), 0, size), size);
+  return decoded;
+}
+
+/// What the library said in a run.
+struct Said {
+  std::vector<stored_t> stored;
+  std::vector<action_record_t> records;
+  std::vector<int64_t> digests;  // of the ticks
+};
+
+Said RunCell(const Deployment& deployment,
+             std::vector<SimBus::Outage> outages = {}) {
+  SimBus bus(keeping::TheRoster(), keeping::Factories(deployment, kNumTicks),
+             std::move(outages));
+  Said said;
+  while (bus.Step()) {
+    said.digests.push_back(TickMessage(bus.last_tick()).digest);
+    for (const Message& message : bus.last_messages()) {
+      if (message.channel == "STORED") {
+        said.stored.push_back(DecodedAs<stored_t>(message));
+      } else if (message.channel == "ACTION_RECORD") {
+        said.records.push_back(DecodedAs<action_record_t>(message));
+      }
+    }
+  }
+  return said;
+}
+
+std::vector<std::string> NamesPublishedIn(const Said& said, int32_t tick) {
+  std::vector<std::string> names;
+  for (const action_record_t& record : said.records) {
+    if (record.header.tick == tick) names.push_back(record.name);
+  }
+  return names;
+}
+
+TEST(LibraryService, PublishesAllThatItKnowsAsAnEpisodeStarts) {
+  const Said said = RunCell(ShippedDeployment());
+  const auto names = NamesPublishedIn(said, 3);
+  ASSERT_EQ(names.size(), kNumOfTask);
+  const ShippedTask task;
+  for (size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(names[i], task.domain.actions()[i].name);
+    EXPECT_EQ(said.records[i].id, static_cast<int64_t>(i) + 1);
+  }
+}
+
+TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
+  const Said said = RunCell(ShippedDeployment());
+  int64_t next_id = kNumOfTask + 1;
+  int num_refused = 0;
+  for (const stored_t& answer : said.stored) {
+    const int32_t asked = answer.header.tick - 1;
+    EXPECT_EQ(answer.request_sender, 1);
+    EXPECT_EQ(answer.request_seq, asked - 5);
+    EXPECT_EQ(answer.header.utime, asked * kTickUs);
+    const auto published = NamesPublishedIn(said, answer.header.tick);
+    const std::string name = keeping::RequestOf(asked).name;
+    if (asked % 10 == 3 && asked > 10) {
+      EXPECT_EQ(answer.outcome, stored_t::DUPLICATE);
+      EXPECT_EQ(answer.id, next_id - 1);
+      EXPECT_THAT(answer.reason, HasSubstr("is there already, with id"));
+      ++num_refused;
+    } else if (asked % 10 == 7) {
+      EXPECT_EQ(answer.outcome, stored_t::INVALID);
+      EXPECT_EQ(answer.id, 0);
+      EXPECT_THAT(answer.reason, HasSubstr(name + ":rules[0]"));
+      ++num_refused;
+    } else {
+      EXPECT_EQ(answer.outcome, stored_t::STORED) << answer.reason;
+      EXPECT_EQ(answer.id, next_id++);
+      EXPECT_THAT(published, testing::Contains(name));
+      EXPECT_EQ(answer.reason, "");
+    }
+  }
+  EXPECT_GT(num_refused, 20);
+  EXPECT_GT(said.stored.size(), 100u);
+}
+
+TEST(LibraryService, DoesTheSameInEveryRun) {
+  EXPECT_EQ(RunCell(ShippedDeployment()).digests,
+            RunCell(ShippedDeployment()).digests);
+}
+
+TEST(LibraryService, KnowsAfterADeathWhatItStoredBeforeAndNothingElse) {
+  const Said said = RunCell(ShippedDeployment(), {{"library", 50, 61}});
+  // Asked for in tick 80, published one later.
+  const auto names = NamesPublishedIn(said, 2 * keeping::kRequestPeriod + 1);
+  std::vector<std::string> expected;
+  for (const ActionRecord& record :
+       TaskActions(ShippedDeployment().OfTask("domain.yaml"))) {
+    expected.push_back(record.name);
+  }
+  for (const stored_t& answer : said.stored) {
+    const int32_t k = answer.header.tick;
+    if (k > 2 * keeping::kRequestPeriod + 1) break;
+    EXPECT_TRUE(k < 50 || k > 61) << k;
+    if (answer.outcome != stored_t::STORED) continue;
+    expected.push_back(keeping::RequestOf(k - 1).name);
+  }
+  // LIBRARY_REQUEST is handled before the tick's STORE_REQUEST.
+  const std::string last = expected.back();
+  expected.pop_back();
+  ASSERT_EQ(names.size(), expected.size() + 1);
+  EXPECT_EQ(names.back(), last);
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), names.begin()));
+}
+
+/// A life of the library whose first tick says when the one before died.
+class Life {
+ public:
+  Life(std::shared_ptr<ActionStore> store, int32_t join_tick,
+       int32_t death_tick)
+      : service_(MakeLibrary(stepper_, ShippedDeployment(), store)),
+        tick_(join_tick) {
+    tick_t tick{};
+    tick.header.tick = join_tick;
+    tick.joined.resize(1);
+    tick.num_joined = 1;
+    tick.joined[0].name = "library";
+    tick.joined[0].death_tick = death_tick;
+    Step({TickMessage(tick)});
+  }
+  std::vector<Message> Ask(const std::string& name) {
+    Bytes bytes = Bus::Encode(ToMessage(keeping::Good(name)));
+    WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
+    return Step({*MessageFromWire("STORE_REQUEST", std::move(bytes))});
+  }
+  std::vector<Message> Request(int64_t id) {
+    library_request_t request{};
+    request.id = id;
+    Bytes bytes = Bus::Encode(request);
+    WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
+    return Step({*MessageFromWire("LIBRARY_REQUEST", std::move(bytes))});
+  }
+
+ private:
+  std::vector<Message> Step(std::vector<Message> inputs) {
+    EXPECT_EQ(stepper_.Accept(tick_++, std::move(inputs)),
+              Stepper::State::kReady);
+    return stepper_.Run();
+  }
+
+  Stepper stepper_{{.name = "library"}};
+  std::unique_ptr<Service> service_;
+  int32_t tick_;
+};
+
+TEST(LibraryService, ForgetsWhatItStoredInTheTickThatItDidNotAnswer) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  {
+    Life life(store, 0, -1);
+    life.Ask("InTick1");
+    life.Ask("InTick2");  // killed before its ACK
+  }
+  { Life life(store, 9, 2); }
+  EXPECT_EQ(store->All().size(), 1u);
+  EXPECT_TRUE(store->FindNamed("InTick1"));
+}
+
+TEST(LibraryService, KeepsAllOfEarlierRunsWhateverTicksTheyHad) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  {
+    Life life(store, 800, -1);
+    life.Ask("Early");
+  }
+  { Life life(store, 0, -1); }  // of the next run
+  { Life life(store, 40, 20); }
+  EXPECT_TRUE(store->FindNamed("Early"));
+  // Killed in its first tick, before or after it had done anything in it.
+  { Life life(store, 1, 0); }
+  EXPECT_TRUE(store->FindNamed("Early"));
+}
+
+TEST(LibraryService, PublishesTheOneThatIsAskedFor) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  Life life(store, 0, -1);
+  life.Ask("One");
+  const auto two = life.Ask("Two");
+  ASSERT_EQ(two.size(), 2u);
+  const auto answer = life.Request(2);
+  ASSERT_EQ(answer.size(), 1u);
+  EXPECT_EQ(DecodedAs<action_record_t>(answer[0]).name, "Two");
+  EXPECT_THAT(life.Request(3), IsEmpty());
+  EXPECT_EQ(life.Request(0).size(), 2u);
+}
+
+/// In a folder of its own.
+class RecordedLibrary : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
+    dir_ = fs::path(testing::TempDir()) / test.name();
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+    recorded_ = repeated_ = ShippedDeployment();
+    recorded_.run_dir = dir_;
+    repeated_.repeated_dir = dir_;
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+
+  ReplayResult Repeat() const {
+    return Replay(RunLog::Load(dir_), keeping::TheRoster(), "library",
+                  keeping::Factories(repeated_, kNumTicks).at("library"));
+  }
+  fs::path dir_;
+  Deployment recorded_, repeated_;
+};
+
+TEST_F(RecordedLibrary, IsReplayedFromItsContentAtTheStartThroughDeaths) {
+  RunCell(recorded_, {{"library", 50, 61}, {"library", 90, 91}});
+  const ReplayResult replay = Repeat();
+  EXPECT_EQ(replay.difference, std::nullopt);
+  EXPECT_GT(replay.num_messages, 200);
+  EXPECT_EQ(ReadContent(dir_ / kStartContentName).size(), kNumOfTask);
+}
+
+TEST_F(RecordedLibrary, DiffersIfAnotherContentIsPutInItsPlace) {
+  RunCell(recorded_);
+  auto content = ReadContent(dir_ / kStartContentName);
+  content.pop_back();
+  WriteContent(dir_ / kStartContentName, content);
+  const ReplayResult replay = Repeat();
+  ASSERT_TRUE(replay.difference);
+  EXPECT_THAT(*replay.difference, HasSubstr("ACTION_RECORD"));
+}
+
+TEST_F(RecordedLibrary, GoesOnInTheNextRunWithWhatItHasLearned) {
+  const fs::path database = dir_ / "kept.db";
+  fs::create_directories(dir_ / "one");
+  fs::create_directories(dir_ / "two");
+  recorded_.run_dir = dir_ / "one";
+  {
+    const ActionRecord record = keeping::Good("Learned");
+    OpenStore(recorded_, database)->Store({&record, 1}, 70);
+  }
+  recorded_.run_dir = dir_ / "two";
+  { EXPECT_EQ(OpenStore(recorded_, database)->All().size(), kNumOfTask + 1); }
+  EXPECT_EQ(ReadContent(dir_ / "one" / kStartContentName).size(), kNumOfTask);
+  EXPECT_EQ(ReadContent(dir_ / "two" / kStartContentName).size(),
+            kNumOfTask + 1);
+}
+
+}  // namespace
+}  // namespace cell
