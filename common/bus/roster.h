@@ -20,8 +20,11 @@ struct Roster {
   };
   std::string task;  ///< folder under deploy/tasks
   std::vector<Entry> entries;
+  /// Names of those that take part only in runs that ask for them: `option`.
+  std::vector<std::string> absent;
 
-  /// @throws ConfigError, also for twin names and an empty roster.
+  /// @throws ConfigError, also for twin names and an empty roster. Entries with
+  /// an option come last: the others' sender ids are the same without them.
   static Roster FromConfig(const Config& config);
 
   std::optional<size_t> IndexOf(const std::string& name) const;

@@ -24,7 +24,9 @@ const std::set<std::string> kAdapters = {
     "common/node/run_clock.cc",          // a process's arguments
     "common/node/run_service.cc",        // a process's arguments and signals
     "common/node/run_service.h",         // the flag that a signal sets
-    "common/rendering/png_file.cc",      // writes pictures
+    "common/imaging/png_file.cc",      // writes pictures
+    "services/camera_set/pcd_file.cc",   // reads recorded clouds
+    "services/camera_set/recorded_frames.cc",  // reads recorded frames
     "services/cell/demo.cc",             // starts the cell's processes
     "services/cell/eval.cc",             // writes the measures
     "services/cell/job_pool.cc",         // processes of an evaluation

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "common/rendering/cell_bodies.h"
-#include "common/rendering/png_file.h"
+#include "common/imaging/png_file.h"
 #include "common/rendering/renderer.h"
 
 namespace cell {
