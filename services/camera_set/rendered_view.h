@@ -16,7 +16,7 @@ class RenderedView {
     std::string camera = "1";
     Camera view;
     double depth_unit = 1e-4;  ///< [m] 0.1 mm: sees 6.5 m far
-    bool has_shadows = true;
+    bool has_shadows = false;
   };
 
   RenderedView(std::vector<RenderBody> bodies, Params params)
