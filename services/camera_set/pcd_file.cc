@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -25,16 +27,35 @@ bool HasField(const pcl::PCLPointCloud2& cloud, const std::string& name) {
                      [&](const auto& field) { return field.name == name; });
 }
 
-/// Looks at the header before room is made for what it announces.
-void CheckHeader(const std::filesystem::path& path) {
+/// What the header announces, read by hand: PCL's reader makes room for it
+/// before it can be asked.
+void CheckSize(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) Fail(path, "cannot be opened");
+  int64_t width = 0;
+  int64_t height = 0;
+  int64_t num_points = 0;
+  std::string line;
+  while (std::getline(file, line) && !line.starts_with("DATA")) {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "WIDTH") words >> width;
+    if (key == "HEIGHT") words >> height;
+    if (key == "POINTS") words >> num_points;
+  }
+  if (height <= 1 || !IsPictureSize(width, height) ||
+      num_points != width * height) {
+    Fail(path, fmt::format("is no organised cloud of at most {} points: "
+                           "{} x {}, {} in all",
+                           kMaxPixels, width, height, num_points));
+  }
+}
+
+void CheckFields(const std::filesystem::path& path) {
   pcl::PCLPointCloud2 header;
   if (pcl::PCDReader().readHeader(path.string(), header) != 0) {
-    Fail(path, "is missing or no PCD file");
-  }
-  if (header.height <= 1 || !IsPictureSize(header.width, header.height)) {
-    Fail(path,
-         fmt::format("is no organised cloud of at most {} points: {} x {}",
-                     kMaxPixels, header.width, header.height));
+    Fail(path, "is no PCD file");
   }
   for (const char* name : {"x", "y", "z"}) {
     if (!HasField(header, name)) Fail(path, fmt::format("lacks {}", name));
@@ -61,7 +82,8 @@ pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
   // It would speak to the person by itself.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  CheckHeader(path);
+  CheckSize(path);
+  CheckFields(path);
   const auto cloud = Load(path);
   const int width = static_cast<int>(cloud.width);
   const int height = static_cast<int>(cloud.height);
