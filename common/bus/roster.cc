@@ -21,9 +21,6 @@ Roster Roster::FromConfig(const Config& config) {
       roster.absent.push_back(std::move(entry.name));
       continue;
     }
-    if (!roster.absent.empty()) {
-      item.Fail("'" + entry.name + "' comes after one that has an option");
-    }
     if (roster.entries.empty() && entry.latency != 1) {
       item.Fail("the clock comes first and answers within its tick: latency 1");
     }
