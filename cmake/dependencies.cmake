@@ -10,7 +10,9 @@ set_target_properties(lcm::lcm PROPERTIES IMPORTED_LOCATION ${LCM_LIBRARY}
 set(xxhash_header xxhash.h)
 set(lodepng_header lodepng.h)
 set(systemd_header systemd/sd-daemon.h)
-foreach(name xxhash lodepng systemd)
+set(turbojpeg_header turbojpeg.h)
+set(zstd_header zstd.h)
+foreach(name xxhash lodepng systemd turbojpeg zstd)
   find_path(${name}_INCLUDE_DIR ${${name}_header} REQUIRED)
   find_library(${name}_LIBRARY ${name} REQUIRED)
   add_library(${name}::${name} UNKNOWN IMPORTED)
@@ -26,6 +28,15 @@ add_library(mujoco::mujoco UNKNOWN IMPORTED)
 set_target_properties(mujoco::mujoco PROPERTIES
   IMPORTED_LOCATION ${MUJOCO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${MUJOCO_INCLUDE_DIR})
+
+# libpcl-dev's own package wants all that any part of PCL can use, VTK's too.
+find_path(PCL_INCLUDE_DIR pcl/io/pcd_io.h PATH_SUFFIXES pcl-1.13 REQUIRED)
+find_library(PCL_IO_LIBRARY pcl_io REQUIRED)
+find_library(PCL_COMMON_LIBRARY pcl_common REQUIRED)
+add_library(pcl::io UNKNOWN IMPORTED)
+set_target_properties(pcl::io PROPERTIES IMPORTED_LOCATION ${PCL_IO_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${PCL_INCLUDE_DIR}
+  INTERFACE_LINK_LIBRARIES "${PCL_COMMON_LIBRARY};Eigen3::Eigen")
 
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

@@ -1,17 +1,25 @@
 #include "common/bus/roster.h"
 
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace cell {
 
 Roster Roster::FromConfig(const Config& config) {
   Roster roster;
   roster.task = config.Get<std::string>("task");
+  std::set<std::string> names;
   for (const Config& item : config["services"].Items()) {
     Entry entry{item.Get<std::string>("name"), item.Integer("latency", 1, 1000),
                 item.GetOr<std::string>("truth_role", "")};
-    if (roster.IndexOf(entry.name)) {
+    if (!names.insert(entry.name).second) {
       item.Fail("'" + entry.name + "' is listed twice");
+    }
+    if (item.Has("option")) {
+      item.Get<std::string>("option");
+      roster.absent.push_back(std::move(entry.name));
+      continue;
     }
     if (roster.entries.empty() && entry.latency != 1) {
       item.Fail("the clock comes first and answers within its tick: latency 1");

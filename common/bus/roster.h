@@ -20,6 +20,10 @@ struct Roster {
   };
   std::string task;  ///< folder under deploy/tasks
   std::vector<Entry> entries;
+  /// Names of those that are listed but do not take part: they have an
+  /// `option`, for which a run has to ask. As they come last, the others'
+  /// sender ids are the same without them.
+  std::vector<std::string> absent;
 
   /// @throws ConfigError, also for twin names and an empty roster.
   static Roster FromConfig(const Config& config);

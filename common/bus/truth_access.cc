@@ -11,9 +11,10 @@ struct Reader {
   std::string_view service;
   std::string_view role;
 };
-constexpr std::array<Reader, 2> kReaders = {{
-    {"recorder", "recorder"},     // keeps every channel
-    {"tracker", "tracker_ideal"}  // --sensing ideal: stands in for perception
+constexpr std::array<Reader, 3> kReaders = {{
+    {"recorder", "recorder"},      // keeps every channel
+    {"tracker", "tracker_ideal"},  // --sensing ideal: stands in for perception
+    {"camera_set", "camera_renderer"}  // draws what a real camera would see
 }};
 
 }  // namespace
@@ -23,8 +24,9 @@ bool IsTruth(const std::string& channel) {
 }
 
 bool MayReadTruth(const std::string& service, const std::string& role) {
+  const std::string program = service.substr(0, service.find('@'));
   return std::any_of(kReaders.begin(), kReaders.end(), [&](const Reader& r) {
-    return r.service == service && r.role == role;
+    return r.service == program && r.role == role;
   });
 }
 

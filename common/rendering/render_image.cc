@@ -1,5 +1,6 @@
 #include "common/rendering/render_image.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 

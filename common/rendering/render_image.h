@@ -1,19 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
 
-namespace cell {
+#include "common/imaging/rgb_image.h"
 
-/// An 8-bit sRGB picture, row by row from the top left.
-struct RgbImage {
-  int width = 0;
-  int height = 0;
-  std::vector<std::array<uint8_t, 3>> pixels;
-};
+namespace cell {
 
 /// What a camera sees, row by row from the top left.
 struct RenderImage {

@@ -12,7 +12,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kWidth = 16;  // rays of a packet
+// Rays of a packet: a square of pixels, whose rays meet the same things.
+constexpr int kSide = 4;
+constexpr int kWidth = kSide * kSide;
 constexpr float kNear = 1e-3F;
 constexpr float kShadowOffset = 1e-4F;  // [m] off the surface
 constexpr float kAmbient = 0.30F;
@@ -31,14 +33,16 @@ struct Sample {
 
 using Samples = std::array<Sample, kWidth>;
 
-/// From the camera through first_column + 0, 1, ..., 15 of the row.
-RTCRayHit16 RaysThrough(const Camera& camera, double first_column, double row) {
+/// From the camera through the square whose upper left is at (x, y) [px], row
+/// by row.
+RTCRayHit16 RaysThrough(const Camera& camera, double x, double y) {
   RTCRayHit16 rays;
   for (int i = 0; i < kWidth; ++i) {
     rays.ray.org_x[i] = rays.ray.org_y[i] = rays.ray.org_z[i] = 0;
     rays.ray.dir_x[i] =
-        static_cast<float>((first_column + i - camera.cx) / camera.fx);
-    rays.ray.dir_y[i] = static_cast<float>((row - camera.cy) / camera.fy);
+        static_cast<float>((x + i % kSide - camera.cx) / camera.fx);
+    const int row = i / kSide;
+    rays.ray.dir_y[i] = static_cast<float>((y + row - camera.cy) / camera.fy);
     rays.ray.dir_z[i] = 1;  // so that a ray's parameter is the depth
     rays.ray.tnear[i] = kNear;
     rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
@@ -50,14 +54,17 @@ RTCRayHit16 RaysThrough(const Camera& camera, double first_column, double row) {
   return rays;
 }
 
-class RowRenderer {
+class PacketRenderer {
  public:
-  RowRenderer(const RenderScene& scene, const RenderScene::Posed& posed,
-              const Camera& camera, const RenderParams& params)
-      : bodies_(scene.bodies()),
-        posed_(posed),
+  PacketRenderer(const RenderScene& scene, const RenderScene::Posed& posed,
+                 const Camera& camera, const RenderParams& params)
+      : posed_(posed),
         camera_(camera),
-        params_(params) {
+        params_(params),
+        background_(ToVector(params.background)) {
+    for (const RenderBody& body : scene.bodies()) {
+      colours_.push_back(ToVector(body.colour));
+    }
     const Eigen::Matrix3d R_CW = camera.X_WC.linear().transpose();
     const auto add = [&](const Eigen::Vector3d& towards_W, float power) {
       lights_.push_back({(R_CW * towards_W.normalized()).cast<float>(), power});
@@ -66,11 +73,14 @@ class RowRenderer {
     add({0.80, 0.35, 0.45}, 0.25F);   // the window on the other side
   }
 
-  /// Samples at (first_column + i, row), the first `num` of them.
-  Samples Look(double first_column, double row, int num) const {
+  /// Samples of the square whose upper left is at (x, y), the first columns and
+  /// rows of it.
+  Samples Look(double x, double y, int num_columns, int num_rows) const {
     alignas(64) int valid[kWidth];
-    for (int i = 0; i < kWidth; ++i) valid[i] = i < num ? -1 : 0;
-    alignas(64) RTCRayHit16 rays = RaysThrough(camera_, first_column, row);
+    for (int i = 0; i < kWidth; ++i) {
+      valid[i] = i % kSide < num_columns && i / kSide < num_rows ? -1 : 0;
+    }
+    alignas(64) RTCRayHit16 rays = RaysThrough(camera_, x, y);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -80,10 +90,11 @@ class RowRenderer {
     std::array<Vector3f, kWidth> normals;
     for (int i = 0; i < kWidth; ++i) {
       Sample& sample = samples[Slot(i)];
-      sample.colour = ToVector(params_.background);
-      valid[i] =
-          i < num && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? -1 : 0;
-      if (valid[i] == 0) continue;
+      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) valid[i] = 0;
+      if (valid[i] == 0) {
+        sample.colour = background_;
+        continue;
+      }
       sample.body = static_cast<int32_t>(rays.hit.instID[0][i]);
       sample.depth = rays.ray.tfar[i];
       normals[Slot(i)] = NormalOf(rays, i, sample.body);
@@ -126,8 +137,8 @@ class RowRenderer {
     for (int i = 0; i < kWidth; ++i) {
       if (valid[i] == 0) continue;
       Sample& sample = samples[Slot(i)];
-      const RenderBody& body = bodies_[static_cast<size_t>(sample.body)];
-      sample.colour = ToVector(body.colour) * brightness[Slot(i)];
+      sample.colour =
+          colours_[static_cast<size_t>(sample.body)] * brightness[Slot(i)];
     }
   }
 
@@ -161,10 +172,11 @@ class RowRenderer {
     return is_lit;
   }
 
-  const std::vector<RenderBody>& bodies_;
   const RenderScene::Posed& posed_;
   const Camera& camera_;
   const RenderParams& params_;
+  Vector3f background_;
+  std::vector<Vector3f> colours_;  // of the bodies
   std::vector<Light> lights_;
 };
 
@@ -209,24 +221,27 @@ RenderImage EmptyImage(const Camera& camera) {
 void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
                 const Camera& camera, const RenderParams& params, int first,
                 int last, RenderImage& image) {
-  const RowRenderer renderer(scene, posed, camera, params);
+  const PacketRenderer renderer(scene, posed, camera, params);
   static const Gamma gamma;
   const int side = params.samples_per_side;
-  for (int row = first; row < last; ++row) {
-    for (int column = 0; column < camera.width; column += kWidth) {
-      const int num = std::min(kWidth, camera.width - column);
-      const Samples centres = renderer.Look(column, row, num);
+  for (int top = first; top < last; top += kSide) {
+    const int num_rows = std::min(kSide, last - top);
+    for (int left = 0; left < camera.width; left += kSide) {
+      const int num_columns = std::min(kSide, camera.width - left);
+      const Samples centres = renderer.Look(left, top, num_columns, num_rows);
       std::array<Vector3f, kWidth> colours;
       colours.fill(Vector3f::Zero());
       for (int k = 0; k < side * side; ++k) {
-        const double x = column + (k % side + 0.5) / side - 0.5;
+        const double x = left + (k % side + 0.5) / side - 0.5;
         const int below = k / side;
-        const double y = row + (below + 0.5) / side - 0.5;
-        const Samples samples = side == 1 ? centres : renderer.Look(x, y, num);
+        const double y = top + (below + 0.5) / side - 0.5;
+        const Samples samples =
+            side == 1 ? centres : renderer.Look(x, y, num_columns, num_rows);
         for (size_t i = 0; i < kWidth; ++i) colours[i] += samples[i].colour;
       }
-      for (int i = 0; i < num; ++i) {
-        const size_t index = image.Index(column + i, row);
+      for (int i = 0; i < kSide * num_rows; ++i) {
+        if (i % kSide >= num_columns) continue;
+        const size_t index = image.Index(left + i % kSide, top + i / kSide);
         const auto slot = static_cast<size_t>(i);
         image.colour.pixels[index] =
             gamma.Encode(colours[slot] / static_cast<float>(side * side));

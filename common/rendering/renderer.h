@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "common/rendering/camera.h"
+#include "common/imaging/camera.h"
 #include "common/rendering/render_image.h"
 #include "common/rendering/render_scene.h"
 

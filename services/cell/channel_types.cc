@@ -22,6 +22,7 @@
 #include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/rgbd_frame_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
@@ -60,6 +61,9 @@ const std::map<std::string, ChannelType>& Table() {
       {"COMMAND_MODE", Of<command_mode_t>()},
       {"EPISODE", Of<episode_t>()},
       {"EXECUTION", Of<execution_t>()},
+      {"FRAME_1", Of<rgbd_frame_t>()},
+      {"FRAME_2", Of<rgbd_frame_t>()},
+      {"FRAME_3", Of<rgbd_frame_t>()},
       {"HEALTH", Of<health_t>()},
       {"HELLO", Of<hello_t>()},
       {"KEY_FRAME", Of<key_frame_t>()},

@@ -3,10 +3,11 @@
 namespace cell {
 
 void AddAllCommands(CLI::App& app, Action* action) {
-  for (const auto add : {AddDemo, AddSim,     AddReplay,  AddDiff, AddEval,
-                         AddView, AddCheck,   AddUp,      AddDown, AddStatus,
-                         AddTop,  AddDoctor,  AddEpisode, AddHold, AddResume,
-                         AddGoal, AddPrepare, AddLibrary, AddLog,     AddSpy,  AddTypes}) {
+  for (const auto add :
+       {AddDemo,    AddSim,  AddReplay, AddDiff,   AddEval,    AddView,
+        AddCheck,   AddUp,   AddDown,   AddStatus, AddTop,     AddDoctor,
+        AddEpisode, AddHold, AddResume, AddGoal,   AddPrepare, AddLibrary,
+        AddLog,     AddSpy,  AddTypes}) {
     add(app, action);
   }
 }

@@ -133,7 +133,8 @@ class Demo {
     if (!instance.empty()) {
       arguments.insert(arguments.end(), {"--instance", instance});
     }
-    processes_.Start(name, FolderOfPrograms() / program, arguments, LogOf(name));
+    processes_.Start(name, FolderOfPrograms() / program, arguments,
+                     LogOf(name));
   }
 
   std::filesystem::path LogOf(const std::string& name) const {

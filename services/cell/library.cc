@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/node/run_service.h"
+#include "common/node/cell_files.h"
 #include "services/cell/commands.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"

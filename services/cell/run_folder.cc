@@ -70,6 +70,25 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
   return run;
 }
 
+void RunFolder::TakePart(const std::string& option) {
+  const fs::path file = deployment.config_dir / "roster.yaml";
+  YAML::Node node = YAML::LoadFile(file.string());
+  bool is_any = false;
+  for (YAML::Node entry : node["services"]) {
+    if (!entry["option"] || entry["option"].as<std::string>() != option) {
+      continue;
+    }
+    entry.remove("option");
+    is_any = true;
+  }
+  const Config config = Config::Load(file.string());
+  if (!is_any) {
+    config["services"].Fail("has no service with the option " + option);
+  }
+  std::ofstream(file) << node << "\n";
+  roster = Roster::FromConfig(Config::Load(file.string()));
+}
+
 void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   const fs::path file = deployment.config_dir / "planner.yaml";
   YAML::Node planner = YAML::LoadFile(file.string());

@@ -26,6 +26,9 @@ struct RunFolder {
                           const Deployment& source,
                           const std::string& demonstration, uint64_t seed);
 
+  /// The services of the roster with this option take part in this run.
+  /// @throws ConfigError if there is none.
+  void TakePart(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.

@@ -18,6 +18,8 @@ void RunOptions::AddTo(CLI::App& command) {
                   "actions of the robot that it leaves to the person beside "
                   "it, as in the task's domain")
       ->delimiter(',');
+  command.add_flag("--cameras", has_cameras,
+                   "with the camera sets: their pictures reach the log");
   command.add_flag("--hash", is_hash,
                    "print nothing but one digest per channel");
 }
@@ -31,6 +33,7 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   RunFolder run =
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
+  if (has_cameras) run.TakePart("cameras");
   return run;
 }
 

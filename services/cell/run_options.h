@@ -18,6 +18,7 @@ struct RunOptions {
   std::string demonstration;
   uint64_t seed = 1;
   std::string out;
+  bool has_cameras = false;
   bool is_hash = false;
   std::vector<std::string> help_steps;
 

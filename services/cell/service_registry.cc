@@ -1,7 +1,10 @@
 #include "services/cell/service_registry.h"
 
+#include <string>
+
 #include "common/layout/cell_layout.h"
 #include "common/node/run_service.h"
+#include "services/camera_set/camera_set.h"
 #include "services/library/library.h"
 #include "services/library/open_store.h"
 #include "services/planner/planner.h"
@@ -50,6 +53,14 @@ std::map<std::string, ServiceFactory> AllServices(
                                           name = arm.name](Bus& bus) {
       return MakeRobotArm(bus, deployment, name);
     };
+  }
+  const size_t num_cameras =
+      layout.cameras ? layout.cameras->azimuths.size() : 0;
+  for (size_t i = 1; i <= num_cameras; ++i) {
+    factories["camera_set@" + std::to_string(i)] =
+        [deployment, set = std::to_string(i)](Bus& bus) {
+          return MakeCameraSet(bus, deployment, set);
+        };
   }
   return factories;
 }

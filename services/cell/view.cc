@@ -6,10 +6,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/bus/bus.h"
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
+#include "common/imaging/png_file.h"
 #include "services/cell/commands.h"
 #include "services/cell/episode_observer.h"
+#include "services/cell/frame_picture.h"
 #include "services/cell/run_folder.h"
 #include "services/cell/scene_picture.h"
 
@@ -20,42 +23,70 @@ struct ViewOptions {
   std::string run;
   std::string out = "scene.png";
   std::optional<double> at_s;
+  std::string camera;
+  bool is_of_depth = false;
   Viewpoint viewpoint;
 };
 
-// The last poses at or before the wished moment.
-truth_poses_t PosesAt(const std::vector<std::filesystem::path>& logs,
-                      std::optional<double> at_s) {
-  std::optional<truth_poses_t> poses;
-  for (const auto& log : logs) {
+double Seconds(int64_t utime) {
+  return static_cast<double>(utime) * 1e-6;
+}
+
+// The last message of the channel that was measured at or before the wished
+// moment.
+template <BusMessage M>
+M MessageAt(const RunFolder& run, const std::string& channel,
+            std::optional<double> at_s) {
+  std::optional<M> last;
+  for (const auto& log : LogsOf(run.path)) {
     EventLogReader reader(log);
     reader.Finish();
     while (auto event = reader.Next()) {
-      if (event->channel != "TRUTH_POSES") continue;
+      if (event->channel != channel) continue;
       const auto message =
           MessageFromWire(event->channel, std::move(event->bytes));
-      auto decoded = message ? Decode<truth_poses_t>(*message) : std::nullopt;
+      auto decoded = message ? Decode<M>(*message) : std::nullopt;
       if (!decoded) continue;
-      const double time_s = static_cast<double>(decoded->header.utime) * 1e-6;
-      if (at_s && time_s > *at_s && poses) return *poses;
-      poses = std::move(decoded);
+      if (at_s && Seconds(decoded->header.utime) > *at_s && last) return *last;
+      last = std::move(decoded);
     }
   }
-  if (!poses) throw std::runtime_error("the log holds no TRUTH_POSES");
-  return *poses;
+  if (!last) throw std::runtime_error("the log holds no " + channel);
+  return *last;
 }
 
-int RunView(const ViewOptions& options) {
-  const RunFolder run = RunFolder::Open(options.run);
-  const truth_poses_t poses = PosesAt(LogsOf(run.path), options.at_s);
+int ViewScene(const RunFolder& run, const ViewOptions& options) {
+  const auto poses = MessageAt<truth_poses_t>(run, "TRUTH_POSES", options.at_s);
   const auto num_pixels =
       DrawScene(run.deployment, poses, options.viewpoint, options.out);
   for (const auto& [name, num] : num_pixels) {
     std::cout << fmt::format("{:24} {:7} pixels\n", name, num);
   }
   std::cout << fmt::format("{} shows {:.2f} s\n", options.out,
-                           static_cast<double>(poses.header.utime) * 1e-6);
+                           Seconds(poses.header.utime));
   return 0;
+}
+
+int ViewFrame(const RunFolder& run, const ViewOptions& options) {
+  const std::string channel = "FRAME_" + options.camera;
+  const auto message = MessageAt<rgbd_frame_t>(run, channel, options.at_s);
+  const auto frame = FrameFromMessage(message);
+  if (!frame) {
+    throw std::runtime_error(fmt::format("{} at {:.2f} s cannot be decoded",
+                                         channel,
+                                         Seconds(message.header.utime)));
+  }
+  WritePng(options.out,
+           options.is_of_depth ? GreyOfDepth(frame->depth) : frame->colour);
+  std::cout << fmt::format("{} shows what camera {} saw at {:.2f} s\n",
+                           options.out, options.camera, Seconds(frame->utime));
+  return 0;
+}
+
+int RunView(const ViewOptions& options) {
+  const RunFolder run = RunFolder::Open(options.run);
+  return options.camera.empty() ? ViewScene(run, options)
+                                : ViewFrame(run, options);
 }
 
 }  // namespace
@@ -64,13 +95,21 @@ void AddView(CLI::App& app, Action* action) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand(
       "view",
-      "Draw any moment of a recorded run, and count each body's pixels.\n"
+      "Draw any moment of a recorded run, and count each body's pixels; or "
+      "show what a camera took.\n"
       "Example: cell view runs/demo-0001 --at 20 --out scene.png");
   command->add_option("run", options->run, "run folder")->required();
   command->add_option("--at", options->at_s, "[s] moment (default: the last)");
   command->add_option("--out", options->out, "PNG file")->capture_default_str();
   command->add_flag("--ids", options->viewpoint.is_of_ids,
                     "every body in a colour of its own");
+  CLI::Option* camera =
+      command->add_option("--camera", options->camera,
+                          "the frame that this camera set took, e.g. 1");
+  command
+      ->add_flag("--depth", options->is_of_depth,
+                 "its depth as grey: near is bright")
+      ->needs(camera);
   command
       ->add_option("--azimuth", options->viewpoint.azimuth_deg,
                    "[deg] of the camera about the vertical")

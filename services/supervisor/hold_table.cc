@@ -39,13 +39,15 @@ HoldTable HoldTable::FromConfig(const Config& config, const Roster& roster,
   }
   const int64_t silence_us = SilenceOf(config);
   for (const auto& [name, node] : config["services"].Entries()) {
+    const HoldRow row{name, HoldFromConfig(node["when_silent"]),
+                      node.Has("silence_ms") ? SilenceOf(node) : silence_us,
+                      LevelFromConfig(node["level"]),
+                      node.Get<std::string>("means")};
+    if (std::ranges::count(roster.absent, name) > 0) continue;
     const auto index = roster.IndexOf(name);
     if (!index) node.Fail("is not in the roster");
     if (*index == 0 || name == self) node.Fail("cannot be watched from here");
-    table.rows.push_back({name, HoldFromConfig(node["when_silent"]),
-                          node.Has("silence_ms") ? SilenceOf(node) : silence_us,
-                          LevelFromConfig(node["level"]),
-                          node.Get<std::string>("means")});
+    table.rows.push_back(row);
   }
   for (size_t i = 1; i < roster.entries.size(); ++i) {
     const std::string& name = roster.entries[i].name;

@@ -40,7 +40,8 @@ struct HoldTable {
   std::vector<HoldRow> rows;
 
   /// Every service of the roster has a row but the clock, without which there
-  /// is no time, and the supervisor itself. @throws ConfigError.
+  /// is no time, and the supervisor itself. Rows of services that do not take
+  /// part in this run are passed over. @throws ConfigError.
   static HoldTable FromConfig(const Config& config, const Roster& roster,
                               const std::string& self);
 };

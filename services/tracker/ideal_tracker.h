@@ -1,22 +1,16 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "common/geometry/truth_poses.h"
 #include "common/layout/cell_layout.h"
 #include "common/sec/cast.h"
 #include "common/sec/track.h"
 
 namespace cell {
-
-/// Where the testbed says everything is.
-struct TruthPoses {
-  int64_t utime = 0;  ///< [us since the start of the run]
-  std::map<std::string, Eigen::Isometry3d> poses;  ///< X_WB of bodies
-};
 
 /// Stands in for perfect sensing: tracks made of ground truth, so that the
 /// levels above can be built and judged by themselves (section IV). Parts are

@@ -23,3 +23,9 @@ target_compile_definitions(arms_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(arms_bench PRIVATE cell_arms cell_tracker
   benchmark::benchmark cell_warnings)
+add_executable(imaging_bench bench/imaging_bench.cc)
+target_include_directories(imaging_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(imaging_bench PRIVATE
+  CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
+  lodepng::lodepng benchmark::benchmark cell_warnings)

@@ -11,8 +11,10 @@
 #include <string>
 
 #include "common/bus/process_usage.h"
+#include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
+#include "services/cell/run_folder.h"
 #include "services/cell/service_registry.h"
 
 namespace cell {
@@ -58,13 +60,14 @@ double BareStepSeconds(const Roster& roster, const Deployment& deployment) {
 }
 
 // The clock's own account of a run over LCM, in the last line that it said.
-double LcmSeconds(const std::string& deploy, const std::filesystem::path& run) {
+double LcmSeconds(const std::string& deploy, const std::filesystem::path& run,
+                  const char* cameras) {
   const auto bin =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string command = fmt::format(
-      "{} demo --hash --seed {} --demonstration {} --out {}{} "
+      "{} demo --hash {} --seed {} --demonstration {} --out {}{} "
       "> /dev/null",
-      (bin / "cell").string(), kSeed, kScript, run.string(),
+      (bin / "cell").string(), cameras, kSeed, kScript, run.string(),
       deploy.empty() ? "" : " --deploy " + deploy);
   if (std::system(command.c_str()) != 0) {
     throw std::runtime_error("cell demo failed; see " + run.string());
@@ -78,6 +81,14 @@ double LcmSeconds(const std::string& deploy, const std::filesystem::path& run) {
     throw std::runtime_error("no tick count in " + (run / "vtb.out").string());
   }
   return std::stod(last.substr(at + 10));
+}
+
+double LogMegabytesPerMinute(const std::filesystem::path& run, double sim_s) {
+  double bytes = 0;
+  for (const auto& log : LogsOf(run)) {
+    bytes += static_cast<double>(std::filesystem::file_size(log));
+  }
+  return bytes * 1e-6 / (sim_s / 60);
 }
 
 void Print(const char* what, double wall_s, double sim_s, double bare_s) {
@@ -97,11 +108,23 @@ int Main(const std::filesystem::path& scratch, const std::string& deploy) {
   recorded.run_dir = scratch / "sim";
   std::filesystem::create_directories(recorded.run_dir);
   const Timing sim = Run(files.roster, recorded);
-  const double lcm_s = LcmSeconds(deploy, scratch / "lcm");
+  RunFolder seeing = RunFolder::Create((scratch / "sim-cameras").string(), "",
+                                       files.deployment, kScript, kSeed);
+  seeing.TakePart("cameras");
+  const Timing sim_cameras = Run(seeing.roster, seeing.deployment);
+  const double lcm_s = LcmSeconds(deploy, scratch / "lcm", "");
+  const double lcm_cameras_s =
+      LcmSeconds(deploy, scratch / "lcm-cameras", "--cameras");
   Print("bare mj_step", bare_s, world.sim_s, bare_s);
   Print("vtb alone, one process", world.wall_s, world.sim_s, bare_s);
   Print("whole cell, one process", sim.wall_s, sim.sim_s, bare_s);
+  Print("the same with cameras", sim_cameras.wall_s, sim_cameras.sim_s, bare_s);
   Print("whole cell, lockstep over LCM", lcm_s, sim.sim_s, bare_s);
+  Print("the same with cameras", lcm_cameras_s, sim.sim_s, bare_s);
+  std::cout << fmt::format(
+      "log: {:.1f} MB/min, with cameras {:.1f} MB/min\n",
+      LogMegabytesPerMinute(scratch / "sim", sim.sim_s),
+      LogMegabytesPerMinute(seeing.path, sim_cameras.sim_s));
   std::cout << fmt::format("resident memory of the one process: {} MB\n",
                            UsageOfThisProcess().resident_bytes >> 20);
   return 0;

@@ -37,6 +37,7 @@
 #include "common/bus/process_usage.h"
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
+#include "common/imaging/rgbd_frame.h"
 #include "services/cell/episode_observer.h"
 #include "services/cell/narrator.h"
 #include "services/cell/service_registry.h"
@@ -103,6 +104,19 @@ void AskLibrary(std::map<std::string, std::vector<Bytes>>& samples) {
   }
 }
 
+// What a camera would see: a slope in grey.
+rgbd_frame_t AFrame() {
+  RgbdFrame frame;
+  frame.camera = "1";
+  frame.view.width = frame.colour.width = frame.depth.width = 64;
+  frame.view.height = frame.colour.height = frame.depth.height = 48;
+  for (int i = 0; i < 64 * 48; ++i) {
+    frame.depth.counts.push_back(static_cast<uint16_t>(10'000 + 3 * i));
+    frame.colour.pixels.push_back({90, static_cast<uint8_t>(i / 16), 90});
+  }
+  return *FrameToMessage(frame, 150'000, 90);
+}
+
 // True messages of a short episode, some of each channel.
 const std::map<std::string, std::vector<Bytes>>& Corpus() {
   static const auto corpus = [] {
@@ -135,6 +149,7 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
     AddOfArms(samples);
     AskLibrary(samples);
+    samples["FRAME_1"] = {Bus::Encode(AFrame())};
     alert_t alert{};
     alert.text = "the way to the goal has become longer";
     samples["ALERT"] = {Bus::Encode(alert)};
@@ -229,8 +244,9 @@ class Targets {
     const Roster roster = TheRoster();
     for (const auto& [name, factory] :
          AllServices(kDeployment, "assembly", 1)) {
-      if (name == "recorder") continue;
-      const Roster::Entry& entry = roster.entries[*roster.IndexOf(name)];
+      const auto index = roster.IndexOf(name);
+      if (!index || name == "recorder") continue;
+      const Roster::Entry& entry = roster.entries[*index];
       auto stepper = std::make_unique<Stepper>(
           Stepper::Params{.name = name, .truth_role = entry.truth_role});
       auto service = factory(*stepper);
@@ -307,6 +323,9 @@ TEST_P(ForgedMessages, KillNobodyAndAreCounted) {
       EpisodeObserver().Put(*message);
       Decode<truth_contacts_t>(*message);
       Decode<status_t>(*message);
+      if (const auto frame = Decode<rgbd_frame_t>(*message)) {
+        FrameFromMessage(*frame);
+      }
     }
   }
   EXPECT_LT(UsageOfThisProcess().resident_bytes - before, kMaxGrowth);
@@ -324,7 +343,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
                     "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
                     "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
-                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
+                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
                     "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 

@@ -1,1 +1,1 @@
-cell_add_test(fuzz/forged_messages_test.cc LINK cell_cli TIMEOUT 1500)
+cell_add_test(fuzz/forged_messages_test.cc LINK cell_cli cell_imaging TIMEOUT 1500)

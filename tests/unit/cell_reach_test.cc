@@ -316,10 +316,8 @@ TEST_F(CellCameras, AtLeastTwoSeeTheFreePartsAreaPastTheArmsAtHome) {
   const auto& area = task_.layout.parts_area;
   std::map<std::pair<int, int>, int> num_seen;
   for (const Isometry3d& X_WC : cameras().Poses()) {
-    Camera camera;
-    camera.fx = camera.width / 2.0 / std::tan(cameras().view_angles.x() / 2);
-    camera.fy = camera.height / 2.0 / std::tan(cameras().view_angles.y() / 2);
-    camera.X_WC = X_WC;
+    const Camera camera =
+        CameraWithView(X_WC, 640, 480, cameras().view_angles);
     const RenderImage image = Render(scene, X_WO, camera, params);
     for (int i = -10; i <= 10; ++i) {
       for (int j = -10; j <= 10; ++j) {

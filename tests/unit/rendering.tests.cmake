@@ -1,1 +1,1 @@
-cell_add_test(unit/rendering_test.cc LINK cell_rendering lodepng::lodepng)
+cell_add_test(unit/rendering_test.cc LINK cell_rendering)

@@ -1,13 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <lodepng.h>
 
-#include <filesystem>
 #include <numbers>
 #include <thread>
 
 #include "common/rendering/cell_bodies.h"
-#include "common/rendering/png_file.h"
 #include "common/rendering/renderer.h"
 
 namespace cell {
@@ -151,23 +148,6 @@ TEST(Rendering, ACameraLooksWhereItShouldWithUpwardsUp) {
   EXPECT_NEAR(camera.X_WC.linear().determinant(), 1, 1e-12);
   EXPECT_THROW(CameraLookingAt(p_WT, p_WT + Vector3d(0, 0, 1), 4, 4, kView),
                std::invalid_argument);
-}
-
-TEST(PngFile, ReadsAsItWasWritten) {
-  RgbImage image{3, 2, {}};
-  for (uint8_t i = 0; i < 6; ++i) {
-    image.pixels.push_back({i, static_cast<uint8_t>(2 * i), 255});
-  }
-  const auto path = std::filesystem::path(testing::TempDir()) / "a_picture.png";
-  WritePng(path, image);
-  std::vector<unsigned char> bytes;
-  unsigned width = 0;
-  unsigned height = 0;
-  ASSERT_EQ(lodepng::decode(bytes, width, height, path.string(), LCT_RGB), 0U);
-  EXPECT_EQ(width, 3U);
-  EXPECT_EQ(height, 2U);
-  EXPECT_EQ(bytes[3 * 5 + 1], 10);
-  EXPECT_THROW(WritePng("/nowhere/at/all.png", image), std::runtime_error);
 }
 
 TEST(CellBodies, EveryPartIsSeenWhenLaidOut) {

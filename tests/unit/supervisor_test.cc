@@ -408,6 +408,24 @@ TEST(HoldTable, NamesEveryServiceOfTheRosterAndNoOther) {
       HasSubstr("lacks 'diary'"));
 }
 
+TEST(HoldTable, PassesOverThoseThatDoNotTakePart) {
+  const auto num_rows = [](const std::string& option) {
+    const Roster roster = Roster::FromConfig(Config::Parse(
+        kRoster + ("  - {name: lamp, latency: 1" + option + "}\n"),
+        "roster.yaml"));
+    const Config config = Config::Parse(
+        kTable + std::string("  lamp: {when_silent: alert_only, level: info, "
+                             "means: it is dark}\n"),
+        "supervisor.yaml");
+    const size_t num =
+        HoldTable::FromConfig(config, roster, "supervisor").rows.size();
+    config.Finish();
+    return num;
+  };
+  EXPECT_EQ(num_rows(", option: light"), 4u);
+  EXPECT_EQ(num_rows(""), 5u);
+}
+
 TEST(HoldTable, RefusesUnknownWordsAndKeys) {
   EXPECT_THAT(ErrorOf("at_boundary", "soon"), HasSubstr("'soon' is none of"));
   EXPECT_THAT(ErrorOf("level: error", "level: bad"),

@@ -1,4 +1,4 @@
-#include "common/rendering/camera.h"
+#include "common/imaging/camera.h"
 
 #include <fmt/format.h>
 
@@ -34,6 +34,17 @@ Camera CameraLookingAt(const Eigen::Vector3d& p_WC, const Eigen::Vector3d& p_WT,
   camera.X_WC.linear() = R_WC;
   camera.X_WC.translation() = p_WC;
   return camera;
+}
+
+Camera CameraWithView(const Eigen::Isometry3d& X_WC, int width, int height,
+                      const Eigen::Vector2d& view_angles_rad) {
+  return {width,
+          height,
+          width / 2. / std::tan(view_angles_rad.x() / 2),
+          height / 2. / std::tan(view_angles_rad.y() / 2),
+          (width - 1) / 2.,
+          (height - 1) / 2.,
+          X_WC};
 }
 
 }  // namespace cell

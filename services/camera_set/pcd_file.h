@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/imaging/depth_image.h"
+#include "common/imaging/rgb_image.h"
+
+namespace cell {
+
+/// An organised cloud as pictures.
+struct PcdImage {
+  RgbImage colour;
+  DepthImage depth;
+};
+
+/// Reads a PCD file (ascii, binary or compressed) whose points x, y, z [m] are
+/// in the camera's frame, one for each pixel, with their colour, rgb or rgba.
+/// Depth is z in counts of `depth_unit` [m]; 0 for points that are not finite.
+/// @throws std::runtime_error naming the file if it is missing or damaged, not
+/// organised, without colour, or larger than kMaxPixels.
+PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit);
+
+}  // namespace cell

@@ -1,0 +1,27 @@
+#include "services/camera_set/recorded_device.h"
+
+#include "cell/tick_t.hpp"
+#include "common/bus/message.h"
+
+namespace cell {
+
+RecordedDevice::RecordedDevice(Bus& bus, const Params& params)
+    : bus_(bus),
+      camera_(params.camera),
+      X_WC_(params.X_WC),
+      frames_(params.folder, params.is_loop) {
+  // A slow service is woken by messages alone: the beat always comes.
+  bus.Subscribe<tick_t>(
+      kTickChannel, [](const tick_t&) {}, 1);
+}
+
+std::optional<RgbdFrame> RecordedDevice::Take() {
+  auto frame = frames_.Next();
+  if (!frame) return std::nullopt;
+  frame->utime = bus_.now();
+  frame->camera = camera_;
+  frame->view.X_WC = X_WC_;
+  return frame;
+}
+
+}  // namespace cell

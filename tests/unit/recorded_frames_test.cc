@@ -1,0 +1,189 @@
+// A folder of recorded frames as a device.
+#include "services/camera_set/recorded_frames.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cell/tick_t.hpp"
+#include "common/bus/stepper.h"
+#include "common/config/config.h"
+#include "common/imaging/png_file.h"
+#include "services/camera_set/camera_set.h"
+#include "services/camera_set/recorded_device.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+// Two PNG frames, a.* and c.*, and a cloud between them, each of 3 x 2 pixels;
+// the depth of the first pixel tells them apart.
+class Recorded : public testing::Test {
+ protected:
+  Recorded() {
+    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
+    dir_ =
+        fs::path(testing::TempDir()) / (std::string("Recorded-") + test.name());
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+    Write("camera.yaml",
+          "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1}\n");
+    WriteFrame("a", 1000);
+    WriteFrame("c", 3000);
+    Write("b.pcd",
+          "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"
+          "COUNT 1 1 1 1\nWIDTH 3\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\n"
+          "POINTS 6\nDATA ascii\n"
+          "0 0 2.0004 66051\n0 0 2.1 0\nnan nan nan 0\n"
+          "0 0 2.2 0\n0 0 2.3 0\n0 0 99 0\n");
+  }
+  ~Recorded() override { fs::remove_all(dir_); }
+
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(dir_ / name) << text;
+  }
+  void WriteFrame(const std::string& name, uint16_t count, int width = 3,
+                  int height = 2) const {
+    const auto num = static_cast<size_t>(width * height);
+    WritePng(dir_ / (name + ".colour.png"),
+             RgbImage{width, height, {num, {10, 20, 30}}});
+    WritePng(dir_ / (name + ".depth.png"),
+             DepthImage{width, height, std::vector<uint16_t>(num, count)});
+  }
+  void ExpectFailure(const std::string& what) const {
+    EXPECT_THAT(
+        [&] {
+          RecordedFrames frames(dir_, false);
+          while (frames.Next()) {
+          }
+        },
+        ThrowsMessage<std::runtime_error>(HasSubstr(what)));
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(Recorded, AreShownInTheOrderOfTheirNamesOnceOrForEver) {
+  for (const bool is_loop : {false, true}) {
+    RecordedFrames frames(dir_, is_loop);
+    EXPECT_EQ(frames.size(), 3u);
+    std::vector<int> seen;
+    for (int i = 0; i < 5; ++i) {
+      const auto frame = frames.Next();
+      seen.push_back(frame ? frame->depth.counts[0] : -1);
+    }
+    EXPECT_EQ(seen, is_loop ? (std::vector{1000, 2000, 3000, 1000, 2000})
+                            : (std::vector{1000, 2000, 3000, -1, -1}));
+  }
+}
+
+TEST_F(Recorded, AreTakenAsCameraYamlSays) {
+  RecordedFrames frames(dir_, false);
+  const auto png = frames.Next();
+  ASSERT_TRUE(png.has_value());
+  EXPECT_EQ(png->view.width, 3);
+  EXPECT_EQ(png->view.height, 2);
+  EXPECT_EQ(png->view.fy, 610);
+  EXPECT_EQ(png->depth_unit, 1e-3);
+  EXPECT_THAT(png->colour.pixels[5], testing::ElementsAre(10, 20, 30));
+  const auto cloud = frames.Next();
+  ASSERT_TRUE(cloud.has_value());
+  EXPECT_THAT(cloud->depth.counts,
+              testing::ElementsAre(2000, 2100, 0, 2200, 2300, 0));
+  EXPECT_THAT(cloud->colour.pixels[0], testing::ElementsAre(1, 2, 3));
+}
+
+TEST_F(Recorded, NameTheFileThatIsMissing) {
+  fs::remove(dir_ / "c.colour.png");
+  ExpectFailure("c.colour.png: is missing");
+  fs::remove(dir_ / "c.depth.png");
+  fs::remove(dir_ / "a.depth.png");
+  ExpectFailure("a.depth.png: is missing");
+  fs::remove(dir_ / "camera.yaml");
+  ExpectFailure("camera.yaml");
+  fs::remove_all(dir_);
+  ExpectFailure("is no folder");
+  fs::create_directories(dir_);
+  Write("camera.yaml", "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1}");
+  ExpectFailure("holds no frame");
+}
+
+TEST_F(Recorded, NameTheFileOfAnotherSize) {
+  WriteFrame("c", 3000, 2, 3);
+  ExpectFailure("c: is of 2 x 3 pixels, the frames before of 3 x 2");
+  WritePng(dir_ / "c.depth.png", DepthImage{3, 2, std::vector<uint16_t>(6, 1)});
+  ExpectFailure("c.depth.png: is of 3 x 2 pixels, its colour of 2 x 3");
+}
+
+TEST_F(Recorded, NameTheFileThatIsDamaged) {
+  fs::resize_file(dir_ / "c.depth.png", 30);
+  ExpectFailure("c.depth.png: ");
+  WriteFrame("c", 3000);
+  Write("b.pcd", "nothing of the kind");
+  ExpectFailure("b.pcd: ");
+  const std::string header =
+      "VERSION .7\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+      "VIEWPOINT 0 0 0 1 0 0 0\n";
+  Write("b.pcd", header +
+                     "FIELDS x y z rgb\nWIDTH 6\nHEIGHT 1\nPOINTS 6\n"
+                     "DATA ascii\n0 0 1 0\n");
+  ExpectFailure("b.pcd: ");
+  Write("b.pcd",
+        "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"
+        "COUNT 1 1 1 1\nWIDTH 3000000\nHEIGHT 2000000\n"
+        "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 6000000000000\n"
+        "DATA binary\n");
+  ExpectFailure("b.pcd: ");
+  Write("b.pcd",
+        "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
+        "COUNT 1 1 1\nWIDTH 3\nHEIGHT 2\n"
+        "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 6\nDATA ascii\n0 0 1\n");
+  ExpectFailure("b.pcd: lacks colour");
+}
+
+TEST_F(Recorded, MisspeltKeysAreNamed) {
+  Write("camera.yaml",
+        "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1, fz: 3}\n");
+  EXPECT_THAT([&] { RecordedFrames(dir_, false); },
+              ThrowsMessage<ConfigError>(HasSubstr("camera.yaml:fz")));
+}
+
+// As a slow service, which only messages wake.
+TEST_F(Recorded, LeaveOnePerPeriodAsIfTheyWereTakenNow) {
+  Stepper bus({.name = "camera_set@2", .latency = 4});
+  RecordedDevice::Params device;
+  device.camera = "2";
+  device.folder = dir_;
+  device.is_loop = false;
+  CameraSet::Params params;
+  params.camera = "2";
+  params.period_ticks = 12;
+  params.phase_ticks = 4;
+  const CameraSet set(bus, params,
+                      std::make_unique<RecordedDevice>(bus, device));
+  std::vector<std::pair<int32_t, int64_t>> seen;
+  tick_t beat{};
+  for (int32_t tick = 0; tick < 60; ++tick) {
+    beat.header.tick = tick;
+    const auto input = MessageFromWire(kTickChannel, Bus::Encode(beat));
+    if (bus.Accept(tick, {*input}) != Stepper::State::kReady) continue;
+    for (const Message& message : bus.Run()) {
+      if (message.channel != "FRAME_2") continue;
+      rgbd_frame_t frame{};
+      frame.decode(message.bytes->data(), 0,
+                   static_cast<int>(message.bytes->size()));
+      seen.emplace_back(frame.header.utime / kTickUs,
+                        FrameFromMessage(frame)->depth.counts[0]);
+    }
+  }
+  EXPECT_THAT(seen, testing::ElementsAre(testing::Pair(4, 1000),
+                                         testing::Pair(16, 2000),
+                                         testing::Pair(28, 3000)));
+}
+
+}  // namespace
+}  // namespace cell
