@@ -19,24 +19,24 @@ namespace fs = std::filesystem;
 
 // Sources that touch the world by trade, and why.
 const std::set<std::string> kAdapters = {
-    "common/config/config.cc",           // reads YAML files
-    "common/config/deployment.h",        // names them
-    "common/node/run_clock.cc",          // a process's arguments
-    "common/node/run_service.cc",        // a process's arguments and signals
-    "common/node/run_service.h",         // the flag that a signal sets
-    "common/imaging/png_file.cc",      // writes pictures
-    "services/camera_set/pcd_file.cc",   // reads recorded clouds
+    "common/config/config.cc",          // reads YAML files
+    "common/config/deployment.h",       // names them
+    "common/node/run_clock.cc",         // a process's arguments
+    "common/node/run_service.cc",       // a process's arguments and signals
+    "common/node/run_service.h",        // the flag that a signal sets
+    "common/imaging/png_file.cc",       // writes pictures
+    "services/camera_set/pcd_file.cc",  // reads recorded clouds
     "services/camera_set/recorded_frames.cc",  // reads recorded frames
-    "services/cell/demo.cc",             // starts the cell's processes
-    "services/cell/eval.cc",             // writes the measures
-    "services/cell/job_pool.cc",         // processes of an evaluation
-    "services/cell/output_follower.cc",  // what the processes said
-    "services/cell/process_group.cc",    // processes of a demonstration
-    "services/cell/progress.cc",         // the wall clock for the person
-    "services/cell/progress.h",          //
-    "services/cell/row_store.cc",        // rows of an evaluation
-    "services/cell/run_folder.cc",       // what a run leaves behind
-    "services/recorder/log_store.cc",    // the log
+    "services/cell/demo.cc",                   // starts the cell's processes
+    "services/cell/eval.cc",                   // writes the measures
+    "services/cell/job_pool.cc",               // processes of an evaluation
+    "services/cell/output_follower.cc",        // what the processes said
+    "services/cell/process_group.cc",          // processes of a demonstration
+    "services/cell/progress.cc",               // the wall clock for the person
+    "services/cell/progress.h",                //
+    "services/cell/row_store.cc",              // rows of an evaluation
+    "services/cell/run_folder.cc",             // what a run leaves behind
+    "services/recorder/log_store.cc",          // the log
 };
 
 std::vector<fs::path> Sources() {
