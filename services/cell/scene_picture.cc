@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "common/geometry/pose.h"
+#include "common/imaging/camera.h"
+#include "common/imaging/png_file.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
-#include "common/imaging/camera.h"
 #include "common/rendering/cell_bodies.h"
-#include "common/imaging/png_file.h"
 #include "common/rendering/renderer.h"
 
 namespace cell {
