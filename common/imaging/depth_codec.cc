@@ -23,8 +23,9 @@ uint16_t Unfold(uint16_t folded) {
   return Wrapped((folded >> 1) ^ ((folded & 1) != 0 ? 0xffff : 0));
 }
 
-/// Visits the pixels in order with what their neighbours foretell. `row` holds
-/// the counts; visit(index, prediction) may write the one at index.
+/// Calls visit(index, prediction) for each pixel in order with what its
+/// neighbours foretell; it may write the count at index, which counts for those
+/// that follow.
 template <class Visit>
 void ForEachPrediction(int width, int height,
                        const std::vector<uint16_t>& counts,

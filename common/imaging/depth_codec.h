@@ -11,7 +11,8 @@ namespace cell {
 
 /// Depth without loss: rgbd_frame_t's PLANAR_ZSTD. Depth is planar nearly
 /// everywhere, so that little more than its rounding remains: on the cell's
-/// views three quarters of PNG's length in a tenth of its time (imaging_bench).
+/// views three quarters of PNG's length in a fifteenth of its time
+/// (imaging_bench).
 /// @throws std::invalid_argument if the counts do not fill a picture.
 std::vector<uint8_t> EncodeDepth(const DepthImage& image);
 

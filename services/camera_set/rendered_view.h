@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/geometry/truth_poses.h"
 #include "common/imaging/rgbd_frame.h"

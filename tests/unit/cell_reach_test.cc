@@ -316,8 +316,7 @@ TEST_F(CellCameras, AtLeastTwoSeeTheFreePartsAreaPastTheArmsAtHome) {
   const auto& area = task_.layout.parts_area;
   std::map<std::pair<int, int>, int> num_seen;
   for (const Isometry3d& X_WC : cameras().Poses()) {
-    const Camera camera =
-        CameraWithView(X_WC, 640, 480, cameras().view_angles);
+    const Camera camera = CameraWithView(X_WC, 640, 480, cameras().view_angles);
     const RenderImage image = Render(scene, X_WO, camera, params);
     for (int i = -10; i <= 10; ++i) {
       for (int j = -10; j <= 10; ++j) {
