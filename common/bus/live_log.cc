@@ -89,7 +89,6 @@ void LiveLog::Read(const std::filesystem::path& log) {
         [&](const Message& twin) { return twin.digest == message->digest; });
     if (is_known) continue;
     twins.push_back(*message);
-    last_tick_ = std::max(last_tick_, message->tick);
     if (message->channel != kStepChannel) continue;
     step_t step{};
     const int size = static_cast<int>(message->bytes->size());
@@ -128,10 +127,9 @@ std::vector<const Message*> LiveLog::InOrder() const {
   for (const auto& [id, twins] : messages_) {
     for (const Message& twin : twins) messages.push_back(&twin);
   }
-  std::sort(messages.begin(), messages.end(),
-            [](const Message* a, const Message* b) {
-              return OrderedBefore(*a, *b);
-            });
+  std::sort(
+      messages.begin(), messages.end(),
+      [](const Message* a, const Message* b) { return OrderedBefore(*a, *b); });
   return messages;
 }
 

@@ -30,12 +30,14 @@ class LiveLog {
 
   /// The message that the journal names, or nullptr.
   const Message* Find(const MessageId& id) const;
+  /// True if there is one with this identity, whatever it says.
+  bool Has(const std::string& channel, int32_t sender, int32_t seq) const {
+    return messages_.contains({channel, sender, seq});
+  }
   /// All that `sender` has said but STEPs and commands passed on, in order.
   std::vector<const Message*> SaidBy(int32_t sender) const;
   /// Every message, by tick, channel, sender and seq.
   std::vector<const Message*> InOrder() const;
-  /// Of the last message.
-  int32_t last_tick() const { return last_tick_; }
 
   /// What is wrong, in plain words and named by `roster`: damage, messages that
   /// the log or a service lacks. Empty for a whole log of a cell that lost
@@ -52,7 +54,6 @@ class LiveLog {
   std::map<Id, std::vector<Message>> messages_;  // twins: one is forged
   std::map<int32_t, std::vector<step_t>> lives_;
   std::vector<std::string> damages_;
-  int32_t last_tick_ = 0;
 };
 
 }  // namespace cell

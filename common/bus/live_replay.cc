@@ -12,9 +12,6 @@
 namespace cell {
 namespace {
 
-/// What is said so shortly before the recording ends may not be in it.
-constexpr int32_t kTailTicks = 2;
-
 class LifeReplay {
  public:
   LifeReplay(const LiveLog& log, const Roster& roster, size_t index,
@@ -28,46 +25,49 @@ class LifeReplay {
     int32_t expected = 0;
     for (const step_t& step : steps) {
       if (step.header.seq != expected++) {
-        result->difference =
+        result->gaps.push_back(
             fmt::format("tick {}: the log lacks STEP sender {} seq {}",
-                        step.header.tick, sender_, expected - 1);
-      } else {
-        Take(step, result);
+                        step.header.tick, sender_, expected - 1));
+        return;
       }
-      if (result->difference) return;
+      if (!Take(step, result)) return;
     }
     FindExtra(steps.back().header.tick, result);
   }
 
  private:
-  void Take(const step_t& step, LiveReplayResult* result) {
+  // False if the life can be followed no further.
+  bool Take(const step_t& step, LiveReplayResult* result) {
     std::vector<Message> inputs;
     for (const MessageId& id : MessagesIn(step.flows)) {
       const Message* message = log_.Find(id);
       if (message == nullptr) {
-        result->difference =
+        result->gaps.push_back(
             fmt::format("tick {}: the step got {}, which the log lacks",
-                        step.header.tick, ToString(id));
-        return;
+                        step.header.tick, ToString(id)));
+        return false;
       }
       inputs.push_back(*message);
     }
     if (stepper_.Accept(step.header.tick, std::move(inputs)) !=
         Stepper::State::kReady) {
-      return;
+      return true;
     }
     for (const Message& output : stepper_.Run()) {
       computed_.insert({output.channel, output.seq});
       if (log_.Find({output.channel, output.sender, output.seq,
                      output.digest}) != nullptr) {
         ++result->num_messages;
-      } else if (output.tick + kTailTicks <= log_.last_tick()) {
+      } else if (!log_.Has(output.channel, output.sender, output.seq)) {
+        ++result->num_unrecorded;
+      } else {
         result->difference =
             fmt::format("tick {}: {} seq {} is not as in the log", output.tick,
                         output.channel, output.seq);
-        return;
+        return false;
       }
     }
+    return true;
   }
 
   void FindExtra(int32_t last_tick, LiveReplayResult* result) const {

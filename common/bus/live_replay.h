@@ -15,8 +15,11 @@ namespace cell {
 struct LiveReplayResult {
   int64_t num_messages = 0;  ///< recomputed and found equal
   int num_lives = 0;         ///< in the log
-  /// First thing that differs or is missing, with tick and channel.
+  /// First thing that differs, with tick and channel.
   std::optional<std::string> difference;
+  /// What the log lacks, so that the rest of a life cannot be recomputed.
+  std::vector<std::string> gaps;
+  int64_t num_unrecorded = 0;  ///< recomputed, but the log lacks them
   /// Lives that began before the log: nobody knows their state.
   std::vector<std::string> skipped;
 };

@@ -18,16 +18,18 @@ struct PrepareOptions {
   std::string state_dir;
   std::string demonstration;
   uint64_t seed = 1;
+  bool has_cameras = false;
 };
 
 int Prepare(const PrepareOptions& options) {
   LiveState(options.state_dir).Forget();
   const std::filesystem::path runs =
       std::filesystem::path(options.state_dir) / "runs";
-  const RunFolder run =
+  RunFolder run =
       RunFolder::Create(FreeRunFolder(runs, "live").string(), "live",
                         FindCellFiles(options.deploy_dir).deployment,
                         options.demonstration, options.seed);
+  if (options.has_cameras) run.TakePart("cameras");
   PointTo(run.path, runs / "current");
   std::cout << "the session is recorded in " << run.path.string() << "\n";
   return 0;
@@ -49,6 +51,8 @@ void AddPrepare(CLI::App& app, Action* action) {
   command->add_option("--demonstration", options->demonstration,
                       "script that the testbed begins with");
   command->add_option("--seed", options->seed)->capture_default_str();
+  command->add_flag("--cameras", options->has_cameras,
+                    "the camera sets take part");
   command->callback([=] {
     *action = [=] {
       return Prepare(*options);

@@ -72,10 +72,14 @@ std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
   if (result.num_lives == 0) return {true, "keeps no journal in this log"};
   std::string line = fmt::format("{} messages of {} lives, byte-identical",
                                  result.num_messages, result.num_lives);
+  if (result.num_unrecorded > 0) {
+    line += fmt::format("; {} more that the log lacks", result.num_unrecorded);
+  }
+  for (const std::string& gap : result.gaps) line += "; up to " + gap;
   for (const std::string& skipped : result.skipped) {
     line += "; not replayed: " + skipped;
   }
-  return {true, line};
+  return {result.gaps.empty(), line};
 }
 
 // The first ones; all are counted.

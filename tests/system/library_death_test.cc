@@ -94,12 +94,12 @@ class LibraryDeath : public testing::Test {
     for (const char* name : {"asker", "recorder"}) {
       run([&, name] {
         RunLcmNode(address, keeping::TheRoster(), name, factories.at(name),
-                   stop);
+                   {}, stop);
       });
     }
     run([&] {
       RunLcmClock(address, keeping::TheRoster(), factories.at("time"),
-                  {.giveup_s = kGiveUpS}, stop);
+                  {.giveup_s = kGiveUpS}, {}, stop);
       is_done = true;
     });
     StartLibrary();

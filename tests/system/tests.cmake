@@ -34,3 +34,6 @@ add_dependencies(library_death_test library)
 cell_add_test(system/library_command_test.cc
   LINK cell_library cell_tracker TIMEOUT 300)
 add_dependencies(library_command_test programs)
+cell_add_test(system/systemd_test.cc LINK cell_bus TIMEOUT 600)
+target_compile_definitions(systemd_test PRIVATE CELL_BUILD_DIR="${CMAKE_BINARY_DIR}")
+add_dependencies(systemd_test programs)

@@ -1,0 +1,106 @@
+// The cell as its users run it: installed, live, under systemd.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "tests/system/run_cell.h"
+
+namespace cell {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr char kNamespaces[] = "unshare -n -m -p -f --mount-proc ";
+constexpr int kNoManager = 77;
+
+std::string Quoted(const std::string& text) {
+  return "'" + text + "'";
+}
+
+// How many lines of `text` hold `word`.
+int LinesWith(const std::string& text, const std::string& word) {
+  std::istringstream lines(text);
+  int count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    count += line.find(word) != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
+class Systemd : public RunCell {
+ protected:
+  void SetUp() override {
+    RunCell::SetUp();
+    if (Shell(std::string(kNamespaces) + "true").code != 0) {
+      GTEST_SKIP() << "no namespaces of its own may be had here";
+    }
+  }
+  // With the build installed, but for the command alone.
+  ShellResult Installed(const std::string& command) const {
+    return Shell(std::string(kNamespaces) + "sh -c " +
+                 Quoted("mount -t tmpfs tmpfs /usr/local && cmake --install " +
+                        std::string(CELL_BUILD_DIR) + " >/dev/null && " +
+                        "cd /usr/local/lib/systemd/system && "
+                        "export SYSTEMD_UNIT_PATH=$PWD:/usr/lib/systemd/system "
+                        "&& " +
+                        command));
+  }
+};
+
+TEST_F(Systemd, TheUnitsHoldNothingThatSystemdDoesNotKnow) {
+  const ShellResult result = Installed(
+      "systemd-analyze verify --man=no cell.target cell-cameras.target "
+      "cell-*.service cell-robot-arm@left.service cell-camera-set@1.service");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.output, "");
+}
+
+TEST_F(Systemd, NoUnitIsExposedMoreThanTwoOfTen) {
+  const ShellResult result = Installed(
+      "for unit in cell-*.service; do systemd-analyze security --offline=true "
+      "--threshold=20 --no-pager $unit >/run/lock/$$ 2>&1 || "
+      "tail -1 /run/lock/$$; done");
+  EXPECT_EQ(result.output, "");
+}
+
+TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
+  const std::string source = CELL_SOURCE_DIR;
+  const ShellResult run = Shell(
+      std::string(kNamespaces) + source + "/tests/system/under_systemd.sh " +
+      CELL_BUILD_DIR + " " + source + "/tests/system/live_scenario.sh " +
+      dir_.string() + " " + CELL_BUILD_DIR);
+  if (run.code == kNoManager) {
+    GTEST_SKIP() << "no systemd manager can run here: " << run.output;
+  }
+  ASSERT_EQ(run.code, 0) << run.output;
+  std::cout << TextOf(dir_ / "restarts.txt");
+
+  EXPECT_THAT(TextOf(dir_ / "status.txt"), HasSubstr("exit code 0"));
+  const std::string told = TextOf(dir_ / "told.txt");
+  for (const std::string service :
+       {"tracker", "sec_builder", "recognizer", "predicate_estimator",
+        "planner", "supervisor", "robot_arm@left", "robot_arm@right", "library",
+        "recorder"}) {
+    EXPECT_GE(LinesWith(told, service + " has started again"), 1) << service;
+    EXPECT_THAT(TextOf(dir_ / "top.txt"), HasSubstr(service));
+  }
+  const size_t last_plan = told.rfind("plan");
+  ASSERT_NE(last_plan, std::string::npos) << told;
+  EXPECT_THAT(told.substr(last_plan, 60), HasSubstr("the goal is reached"));
+  // What was missed is told.
+  constexpr int kNumSteps = 9;
+  EXPECT_GE(LinesWith(told, "recognised Place") +
+                LinesWith(told, "recognised Screw") +
+                LinesWith(told, "No action was recognised"),
+            kNumSteps)
+      << told;
+  EXPECT_THAT(TextOf(dir_ / "check.txt"), Not(HasSubstr("DIFFERENT")));
+  EXPECT_EQ(TextOf(dir_ / "left.txt"), "") << "left by the uninstall";
+}
+
+}  // namespace
+}  // namespace cell
