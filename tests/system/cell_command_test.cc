@@ -194,7 +194,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
   for (const char* service :
        {"vtb", "tracker", "sec_builder", "recognizer", "predicate_estimator",
         "planner", "robot_arm", "supervisor", "recorder", "library",
-         "camera_set"}) {
+        "camera_set"}) {
     const ShellResult help =
         Shell(std::string(CELL_BIN_DIR) + "/" + service + " --help");
     EXPECT_EQ(help.code, 0) << service;

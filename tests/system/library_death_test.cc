@@ -93,8 +93,8 @@ class LibraryDeath : public testing::Test {
     });
     for (const char* name : {"asker", "recorder"}) {
       run([&, name] {
-        RunLcmNode(address, keeping::TheRoster(), name, factories.at(name),
-                   {}, stop);
+        RunLcmNode(address, keeping::TheRoster(), name, factories.at(name), {},
+                   stop);
       });
     }
     run([&] {

@@ -11,6 +11,7 @@
 
 #include "common/bus/event_log.h"
 #include "tests/system/run_cell.h"
+#include "tests/system/stock_logger.h"
 
 namespace cell {
 namespace {
@@ -31,40 +32,10 @@ class LogCommand : public RunCell {
     }
     return events;
   }
-
-  // All processes of a cell over LCM, lcm-logger among them.
-  ShellResult RunBesideLcmLogger() const {
-    std::ofstream(dir_ / "run") << R"(
-ip link set lo up && ip route add 224.0.0.0/4 dev lo
-mkdir own
-lcm-logger --lcm-url='udpm://239.255.76.67:7667?ttl=0' -q stock &
-logger=$!
-until grep -q :1DF3 /proc/net/udp; do :; done
-pids=
-for name in $(sed -n 's/.*{name: \([^,]*\),.*/\1/p' $DEPLOY/config/roster.yaml)
-do
-  case $name in
-    vtb) continue ;;
-    *@*) instance="--instance ${name#*@}" ;;
-    *) instance= ;;
-  esac
-  $BIN/${name%@*} $instance --deploy $DEPLOY --run-dir own & pids="$pids $!"
-done
-$BIN/vtb --deploy $DEPLOY --run-dir own --seed 3 --demonstration two_pegs
-code=$?
-wait $pids
-# What it has heard is with the disk once it answers nothing more.
-kill $logger; wait $logger
-exit $code
-)";
-    return Shell("cd " + dir_.string() +
-                 " && BIN=" CELL_BIN_DIR " DEPLOY=" CELL_SOURCE_DIR "/deploy " +
-                 InPrivateNetwork() + "bash ./run");
-  }
 };
 
 TEST_F(LogCommand, ARecordingOfLcmLoggerIsTheRecordersButForWhatIsNamed) {
-  const ShellResult run = RunBesideLcmLogger();
+  const ShellResult run = RunBesideLcmLogger(dir_, "--seed 3");
   ASSERT_EQ(run.code, 0) << run.output;
   const ShellResult convert = Cell("log convert stock --out converted");
   EXPECT_THAT(convert.output, HasSubstr("a stock recording")) << convert.output;
