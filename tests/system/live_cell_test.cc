@@ -1,0 +1,126 @@
+// A live cell of real processes: under load its log replays; under attack it
+// lives.
+#include "tests/system/live_cell.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+#include <thread>
+
+#include "common/bus/message.h"
+
+namespace cell {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Live : public LiveCell {};
+
+// The last column of top's table of channels, added up.
+int64_t NumRejected(const std::string& top) {
+  std::istringstream lines(top.substr(top.find("channel")));
+  std::string line;
+  std::getline(lines, line);  // its head
+  int64_t sum = 0;
+  while (std::getline(lines, line) && !line.empty()) {
+    sum += std::stoll(line.substr(line.rfind(' ')));
+  }
+  return sum;
+}
+
+TEST_F(Live, AMinuteUnderLoadReplaysByteForByte) {
+  Start("assembly");
+  std::atomic<bool> stop = false;
+  std::vector<std::thread> load;
+  for (int i = 0; i < 2; ++i) {
+    load.emplace_back([&stop] {
+      while (!stop) {
+      }
+    });
+  }
+  constexpr int kMinuteMs = 60'000;
+  Await([] { return false; }, kMinuteMs);
+  stop = true;
+  for (std::thread& thread : load) thread.join();
+  Stop();
+  const ShellResult replay = Cell("replay runs/current --check");
+  EXPECT_THAT(replay.output, Not(HasSubstr("DIFFERENT")));
+  EXPECT_THAT(replay.output, Not(HasSubstr("log: ")));
+  for (const std::string& name : names_) {
+    if (name == "recorder") continue;
+    EXPECT_THAT(replay.output,
+                testing::ContainsRegex(name + " +[0-9]+ messages of 1 lives, "
+                                              "byte-identical"));
+  }
+  EXPECT_EQ(replay.code, 0) << replay.output;
+}
+
+TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
+  std::map<std::string, std::vector<Bytes>> samples;
+  main_->Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
+    constexpr size_t kMaxSamples = 20;
+    auto& of_channel = samples[channel];
+    if (bytes.size() > kWireHeaderEnd && of_channel.size() < kMaxSamples) {
+      of_channel.push_back(std::move(bytes));
+    }
+  });
+  Start("two_pegs");
+  constexpr int kSampleMs = 4000;
+  Await([] { return false; }, kSampleMs);
+  ASSERT_GT(samples.size(), 10u);
+  const auto before = health_;
+
+  constexpr int kNumForgeries = 10'000;
+  constexpr int kBurst = 20;
+  std::mt19937_64 random(1);
+  LcmPort forger(LcmAddress{}.MainUrl());
+  std::vector<std::string> channels;
+  for (const auto& [channel, of_channel] : samples) {
+    if (!of_channel.empty()) channels.push_back(channel);
+  }
+  for (int i = 0; i < kNumForgeries; ++i) {
+    const std::string& channel = channels[random() % channels.size()];
+    const auto& of_channel = samples.at(channel);
+    Bytes bytes = of_channel[random() % of_channel.size()];
+    // Every second one keeps its fingerprint and a valid header.
+    const size_t from = i % 2 == 0 ? kWireHeaderEnd : 0;
+    for (int flips = 0; flips < 8 && bytes.size() > from; ++flips) {
+      bytes[from + random() % (bytes.size() - from)] =
+          static_cast<uint8_t>(random() % 3 == 0 ? 0xff : random());
+    }
+    // Some begin a new life of their sender, so that they reach its readers.
+    if (i % 4 == 0) {
+      const WireHeader header = ReadWireHeader(bytes);
+      WriteIdentity(header.tick, header.sender + 1000 * (1 + i), 0, bytes);
+    }
+    if (i % 5 == 0) bytes.resize(from + random() % (bytes.size() - from + 1));
+    forger.Publish(channel, bytes);
+    if (i % kBurst == 0) Await([] { return false; }, 10);
+  }
+  health_.clear();
+  constexpr int kAnswerMs = 10'000;
+  EXPECT_TRUE(
+      Await([&] { return health_.size() >= names_.size(); }, kAnswerMs));
+  EXPECT_TRUE(processes_.TakeDeaths().empty());
+  constexpr int64_t kMaxGrowth = 64 << 20;
+  int64_t num_strangers = 0;
+  for (const std::string& name : names_) {
+    ASSERT_TRUE(health_.contains(name)) << name;
+    EXPECT_LT(health_[name].resident_bytes - before.at(name).resident_bytes,
+              kMaxGrowth)
+        << name;
+    EXPECT_EQ(health_[name].header.sender, before.at(name).header.sender)
+        << name << " has started again";
+    num_strangers += health_[name].num_strangers;
+  }
+  EXPECT_GT(num_strangers, 0);
+  const ShellResult top = Cell("top --reports 1 --period 2");
+  EXPECT_EQ(top.code, 0);
+  std::cout << top.output;
+  EXPECT_GT(NumRejected(top.output), 100);
+  Stop();
+}
+
+}  // namespace
+}  // namespace cell
