@@ -45,8 +45,8 @@ std::vector<std::string> GapsIn(const std::set<int32_t>& seqs) {
 
 }  // namespace
 
-bool LiveLog::IsLive(const std::filesystem::path& run_dir) {
-  for (const auto& log : LogsOf(run_dir)) {
+bool LiveLog::IsLive(const std::vector<std::filesystem::path>& logs) {
+  for (const auto& log : logs) {
     EventLogReader reader(log);
     reader.Finish();
     while (const auto event = reader.Next()) {
@@ -63,6 +63,10 @@ LiveLog LiveLog::Load(const std::filesystem::path& run_dir) {
     throw std::runtime_error(run_dir.string() +
                              ": no *.lcmlog in it; is it a run folder?");
   }
+  return Load(logs);
+}
+
+LiveLog LiveLog::Load(const std::vector<std::filesystem::path>& logs) {
   LiveLog live;
   for (const auto& log : logs) live.Read(log);
   if (live.lives_.empty()) {

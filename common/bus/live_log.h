@@ -21,9 +21,10 @@ class LiveLog {
   /// Reads DIR/*.lcmlog. @throws std::runtime_error naming the file if there is
   /// none or it holds no STEP.
   static LiveLog Load(const std::filesystem::path& run_dir);
-  /// True if the logs of the folder begin with a STEP and hold no TICK before
-  /// it: a live cell's, not one in lockstep.
-  static bool IsLive(const std::filesystem::path& run_dir);
+  static LiveLog Load(const std::vector<std::filesystem::path>& logs);
+  /// True if the logs hold a STEP, and no TICK before it: a live cell's, not one
+  /// in lockstep.
+  static bool IsLive(const std::vector<std::filesystem::path>& logs);
 
   /// The steps of each life, by its sender id, in order of seq.
   const std::map<int32_t, std::vector<step_t>>& lives() const { return lives_; }

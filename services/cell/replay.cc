@@ -113,7 +113,7 @@ int ReplayLiveRun(const ReplayOptions& options, const RunFolder& run) {
 
 int RunReplay(const ReplayOptions& options) {
   const RunFolder run = RunFolder::Open(options.run);
-  if (LiveLog::IsLive(options.run)) return ReplayLiveRun(options, run);
+  if (LiveLog::IsLive(LogsOf(options.run))) return ReplayLiveRun(options, run);
   const RunLog log = RunLog::Load(options.run);
   for (const std::string& problem : log.problems()) {
     std::cerr << "log: " << problem << "\n";

@@ -11,6 +11,7 @@
 #include "common/bus/live_log.h"
 #include "common/bus/live_node.h"
 #include "common/bus/live_replay.h"
+#include "common/bus/run_log.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -126,7 +127,7 @@ TEST_F(LiveTest, ACalmCellReplaysAndHasNothingToReport) {
   const LiveLog log = LiveLog::Load(dir_);
   EXPECT_THAT(log.Problems(ToyRoster()), IsEmpty());
   EXPECT_THAT(log.LateMessages(ToyRoster()), IsEmpty());
-  EXPECT_TRUE(LiveLog::IsLive(dir_));
+  EXPECT_TRUE(LiveLog::IsLive(LogsOf(dir_)));
 }
 
 TEST_F(LiveTest, ReplaysWhatWasLostDoubledLateAndSkipped) {
