@@ -99,7 +99,7 @@ class Doctor : public RunCell {
               " > after; echo -n $? >> codes\n");
     Visit visit;
     visit.output = Shell("cd " + dir_.string() + " && " + InPrivateNetwork() +
-                         "-m bash -e -c 'set +e; . ./visit'")
+                         WithPrivateMounts() + "bash -e -c 'set +e; . ./visit'")
                        .output;
     visit.before = Complaints("before");
     visit.with_fault = Complaints("with_fault");

@@ -120,8 +120,9 @@ TEST_F(LibraryCommand, AFullDiskLosesNothing) {
       << "cp a/library.db small/\n"
       << kCell << " library import many.json --database small || true\n"
       << kCell << " library list --database small | tail -1\n";
-  const ShellResult run = Shell("cd " + dir_.string() + " && " +
-                                InPrivateNetwork() + "-m bash run.sh");
+  const ShellResult run =
+      Shell("cd " + dir_.string() + " && " + InPrivateNetwork() +
+            WithPrivateMounts() + "bash run.sh");
   EXPECT_THAT(run.output,
               HasSubstr("small/library.db: the disk is full; make"));
   EXPECT_THAT(run.output, HasSubstr("15  PutDown("));

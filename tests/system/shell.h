@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace cell {
@@ -19,6 +20,15 @@ struct ShellResult {
 /// which a chroot would refuse.
 inline std::string InPrivateNetwork() {
   return geteuid() == 0 ? "unshare -n " : "unshare -rn ";
+}
+
+/// For `unshare`: mounts of its own, too. In a chroot the root's propagation
+/// cannot be changed; nothing must be shared with the outside then.
+inline std::string WithPrivateMounts() {
+  const bool is_chroot =
+      std::system("unshare -m true 2>/dev/null") != 0 &&
+      std::system("grep -q shared: /proc/self/mountinfo") != 0;
+  return is_chroot ? "-m --propagation unchanged " : "-m ";
 }
 
 inline ShellResult Shell(const std::string& command) {

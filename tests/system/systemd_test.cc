@@ -14,7 +14,11 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr char kNamespaces[] = "unshare -n -m -p -f --mount-proc ";
+// A process namespace, too: its manager is alone.
+std::string Namespaces() {
+  return InPrivateNetwork() + WithPrivateMounts() + "-p -f ";
+}
+
 constexpr int kNoManager = 77;
 
 std::string Quoted(const std::string& text) {
@@ -35,13 +39,13 @@ class Systemd : public RunCell {
  protected:
   void SetUp() override {
     RunCell::SetUp();
-    if (Shell(std::string(kNamespaces) + "true").code != 0) {
+    if (Shell(Namespaces() + "true").code != 0) {
       GTEST_SKIP() << "no namespaces of its own may be had here";
     }
   }
   // With the build installed, but for the command alone.
   ShellResult Installed(const std::string& command) const {
-    return Shell(std::string(kNamespaces) + "sh -c " +
+    return Shell(Namespaces() + "sh -c " +
                  Quoted("mount -t tmpfs tmpfs /usr/local && cmake --install " +
                         std::string(CELL_BUILD_DIR) + " >/dev/null && " +
                         "cd /usr/local/lib/systemd/system && "
@@ -69,10 +73,10 @@ TEST_F(Systemd, NoUnitIsExposedMoreThanTwoOfTen) {
 
 TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
   const std::string source = CELL_SOURCE_DIR;
-  const ShellResult run = Shell(
-      std::string(kNamespaces) + source + "/tests/system/under_systemd.sh " +
-      CELL_BUILD_DIR + " " + source + "/tests/system/live_scenario.sh " +
-      dir_.string() + " " + CELL_BUILD_DIR);
+  const ShellResult run =
+      Shell(Namespaces() + source + "/tests/system/under_systemd.sh " +
+            CELL_BUILD_DIR + " " + source + "/tests/system/live_scenario.sh " +
+            dir_.string() + " " + CELL_BUILD_DIR);
   if (run.code == kNoManager) {
     GTEST_SKIP() << "no systemd manager can run here: " << run.output;
   }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs a build in a mount, network and process namespace of its own, starts a
 # systemd --user manager there and runs a command under it:
-#   unshare -n -m -p -f --mount-proc under_systemd.sh BUILD COMMAND...
+#   unshare -n -m -p -f under_systemd.sh BUILD COMMAND...
 # Exit code 77: no manager can run here.
 set -u
 build=$1
 shift
-mount -t tmpfs tmpfs /run && mount -t tmpfs tmpfs /usr/local || exit 77
+mount -t proc proc /proc && mount -t tmpfs tmpfs /run && mount -t tmpfs tmpfs /usr/local || exit 77
 mountpoint -q /sys/fs/cgroup || mount -t cgroup2 cgroup2 /sys/fs/cgroup || exit 77
 mkdir -p /run/systemd/system /run/user /run/home/.config/cell
 ip link set lo up && ip route add 224.0.0.0/4 dev lo
