@@ -58,12 +58,7 @@ bool LiveLog::IsLive(const std::vector<std::filesystem::path>& logs) {
 }
 
 LiveLog LiveLog::Load(const std::filesystem::path& run_dir) {
-  const auto logs = LogsOf(run_dir);
-  if (logs.empty()) {
-    throw std::runtime_error(run_dir.string() +
-                             ": no *.lcmlog in it; is it a run folder?");
-  }
-  return Load(logs);
+  return Load(RequireLogsOf(run_dir));
 }
 
 LiveLog LiveLog::Load(const std::vector<std::filesystem::path>& logs) {

@@ -24,13 +24,18 @@ std::vector<std::filesystem::path> LogsOf(
   return logs;
 }
 
-RunLog RunLog::Load(const std::filesystem::path& run_dir) {
-  const auto logs = LogsOf(run_dir);
+std::vector<std::filesystem::path> RequireLogsOf(
+    const std::filesystem::path& run_dir) {
+  auto logs = LogsOf(run_dir);
   if (logs.empty()) {
     throw std::runtime_error(run_dir.string() +
                              ": no *.lcmlog in it; is it a run folder?");
   }
-  return Load(logs);
+  return logs;
+}
+
+RunLog RunLog::Load(const std::filesystem::path& run_dir) {
+  return Load(RequireLogsOf(run_dir));
 }
 
 RunLog RunLog::Load(const std::vector<std::filesystem::path>& logs) {

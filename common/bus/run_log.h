@@ -43,5 +43,8 @@ class RunLog {
 
 /// The logs of a run folder, in the order in which they were written.
 std::vector<std::filesystem::path> LogsOf(const std::filesystem::path& run_dir);
+/// The same. @throws std::runtime_error naming the folder if there is none.
+std::vector<std::filesystem::path> RequireLogsOf(
+    const std::filesystem::path& run_dir);
 
 }  // namespace cell

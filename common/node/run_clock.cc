@@ -54,7 +54,7 @@ int RunClock(const std::string& name, int argc, char** argv,
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
-  try {
+  return ReportFailures(name, [&] {
     CellFiles files = FindCellFiles(arguments.deploy_dir);
     files.deployment.run_dir = arguments.run_dir;
     files.deployment.is_live = arguments.is_live;
@@ -70,13 +70,7 @@ int RunClock(const std::string& name, int argc, char** argv,
       RunLockstep(arguments, files.roster, name, factory, options);
     }
     return 0;
-  } catch (const std::invalid_argument& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 1;
-  }
+  });
 }
 
 }  // namespace cell

@@ -59,7 +59,7 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
     return app.exit(e) == 0 ? 0 : 2;
   }
   const std::string name = has_instances ? program + "@" + instance : program;
-  try {
+  return ReportFailures(name, [&] {
     CellFiles files = FindCellFiles(arguments.deploy_dir);
     files.deployment.run_dir = arguments.run_dir;
     files.deployment.is_live = arguments.is_live;
@@ -75,13 +75,7 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
                  TellServiceManager(), StopOnSignals());
     }
     return 0;
-  } catch (const std::invalid_argument& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 2;
-  } catch (const std::exception& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 1;
-  }
+  });
 }
 
 }  // namespace
@@ -90,6 +84,18 @@ const std::atomic<bool>& StopOnSignals() {
   std::signal(SIGINT, [](int) { g_stop = true; });
   std::signal(SIGTERM, [](int) { g_stop = true; });
   return g_stop;
+}
+
+int ReportFailures(const std::string& name, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const std::invalid_argument& e) {
+    std::cerr << name << ": " << e.what() << std::endl;
+    return 2;
+  } catch (const std::exception& e) {
+    std::cerr << name << ": " << e.what() << std::endl;
+    return 1;
+  }
 }
 
 int RunService(const std::string& name, int argc, char** argv,

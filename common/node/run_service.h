@@ -36,6 +36,10 @@ int RunService(const std::string& name, int argc, char** argv,
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);
 
+/// Runs `run` and returns its exit code; says on stderr what `name` failed of:
+/// then 2 for a wrong argument, 1 for all else.
+int ReportFailures(const std::string& name, const std::function<int()>& run);
+
 /// Set by SIGINT and SIGTERM once the handlers are installed.
 const std::atomic<bool>& StopOnSignals();
 

@@ -10,6 +10,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands.h"
+#include "services/cell/episode_observer.h"
 #include "services/cell/progress.h"
 #include "services/cell/traffic.h"
 
@@ -22,12 +23,6 @@ struct TopOptions {
   double period_s = 1;
   int num_reports = 0;
 };
-
-template <class M>
-bool Decode(const Bytes& bytes, M* message) {
-  const int size = static_cast<int>(bytes.size());
-  return message->decode(bytes.data(), 0, size) == size;
-}
 
 void Print(const Traffic::Report& report) {
   std::cout << fmt::format("{:24} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
@@ -56,17 +51,19 @@ int RunTop(const TopOptions& options) {
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());
   main.Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
-    status_t status{};
-    if (channel == kStatusChannel && Decode(bytes, &status)) {
-      traffic.Hear(status);
-    }
     const auto message = MessageFromWire(channel, std::move(bytes));
-    message ? traffic.Hear(*message) : traffic.HearForeign();
+    if (!message) return traffic.HearForeign();
+    if (channel == kStatusChannel) {
+      if (const auto status = Decode<status_t>(*message)) traffic.Hear(*status);
+    }
+    traffic.Hear(*message);
   });
-  control.Subscribe(kHealthChannel, [&](const std::string&, Bytes bytes) {
-    health_t health{};
-    Decode(bytes, &health) ? traffic.Hear(health) : traffic.HearForeign();
-  });
+  control.Subscribe(
+      kHealthChannel, [&](const std::string& channel, Bytes bytes) {
+        const auto message = MessageFromWire(channel, std::move(bytes));
+        const auto health = message ? Decode<health_t>(*message) : std::nullopt;
+        health ? traffic.Hear(*health) : traffic.HearForeign();
+      });
   const auto& stop = StopOnSignals();
   const Progress clock;
   const bool is_terminal = isatty(STDOUT_FILENO) != 0;
