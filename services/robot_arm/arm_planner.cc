@@ -210,13 +210,15 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
 }
 
 OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
+                                                Taker taker,
                                                 const Joints& q) const {
   return NowOrLater(
-      [&](const ArmScene& scene) { return FreePlaceIn(scene, area, q); });
+      [&](const ArmScene& scene) { return FreePlaceIn(scene, area, taker, q); });
 }
 
 OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
                                               const Eigen::AlignedBox2d& area,
+                                              Taker taker,
                                               const Joints& q) const {
   std::vector<Eigen::Vector2d> points;
   for (double y = area.min().y(); y <= area.max().y(); y += kGrid) {
@@ -241,13 +243,33 @@ OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
             AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
         const auto near = scene.Neighbours(held_->part, target.X_WO, apart);
         if (near.size() > 1) continue;  // than the table
-        if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q))) {
+        if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q)) &&
+            (taker == Taker::kAnyone || CanOtherTake(scene, target.X_WO))) {
           return target;
         }
       }
     }
   }
-  return "there is no free place on the table";
+  return taker == Taker::kAnyone
+             ? "there is no free place on the table"
+             : "there is no free place on the table for the other arm to take "
+               "it from";
+}
+
+/// What it holds, once it stands at X_WO.
+bool ArmPlanner::CanOtherTake(const ArmScene& scene,
+                              const Isometry3d& X_WO) const {
+  ArmScene then = scene;
+  then.LetGo(arm_.name);
+  then.PutPart(held_->part, X_WO);
+  for (const ArmLayout& arm : params_.layout.arms) {
+    then.SetPosture(arm.name, HomePosture(arm));
+  }
+  return std::ranges::any_of(params_.layout.arms, [&](const ArmLayout& other) {
+    if (other.name == arm_.name) return false;
+    const Reach reach(then, other.name, ReachParamsOf(params_.settings));
+    return bool(reach.Grasps(held_->part, other.home));
+  });
 }
 
 bool ArmPlanner::IsNearSomething(const Joints& q) const {

@@ -60,10 +60,13 @@ class ArmPlanner {
   OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
                                         double opening,
                                         const std::string& grip) const;
+  /// Who takes it next.
+  enum class Taker { kAnyone, kOtherArm };
   /// A free place on the table within `area` [m, in W] to which it can put what
-  /// it holds, upright; those next to the middle first.
+  /// it holds, upright, and from where `taker` can take it when all arms are at
+  /// home; those next to the middle first.
   OrReason<PlaceTarget> FindFreePlace(const Eigen::AlignedBox2d& area,
-                                      const Joints& q) const;
+                                      Taker taker, const Joints& q) const;
   /// Where its joints will be at some times ahead; nothing: about where they
   /// are.
   using WayAhead = std::vector<std::optional<Joints>>;
@@ -102,7 +105,8 @@ class ArmPlanner {
                                 const Joints& q) const;
   OrReason<PlaceTarget> FreePlaceIn(const ArmScene& scene,
                                     const Eigen::AlignedBox2d& area,
-                                    const Joints& q) const;
+                                    Taker taker, const Joints& q) const;
+  bool CanOtherTake(const ArmScene& scene, const Eigen::Isometry3d& X_WO) const;
   bool IsGraspable(const std::string& part, const Eigen::Isometry3d& X_WO);
   bool IsInHand(const std::string& part) const;
 

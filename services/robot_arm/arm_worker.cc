@@ -278,16 +278,21 @@ void ArmWorker::PlanInsert() {
 /// Where the other arm can take it.
 void ArmWorker::PlanPresent() {
   if (!held_) PlanTake({});
-  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange);
+  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange,
+              ArmPlanner::Taker::kOtherArm);
 }
 
 void ArmWorker::PlanPutDown() {
   const CellLayout::PartsArea& area = params_.layout.parts_area;
-  PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2});
+  PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2},
+              ArmPlanner::Taker::kAnyone);
 }
 
-void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area) {
-  PlanCarry([this, area] { return planner_.FindFreePlace(area, command_->q); });
+void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area,
+                            ArmPlanner::Taker taker) {
+  PlanCarry([this, area, taker] {
+    return planner_.FindFreePlace(area, taker, command_->q);
+  });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
     return Line(place_.X_WO * held_->X_GO.inverse());

@@ -90,7 +90,7 @@ class ArmWorker {
   void PlanInsert();
   void PlanPresent();
   void PlanPutDown();
-  void PlanSetDown(const Eigen::AlignedBox2d& area);
+  void PlanSetDown(const Eigen::AlignedBox2d& area, ArmPlanner::Taker taker);
   void PlanTake(const TargetMaker& target);
   void PlanCarry(const TargetMaker& target);
   void PlanLetGo();

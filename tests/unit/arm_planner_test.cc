@@ -10,6 +10,7 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Translation3d;
+using Eigen::Vector2d;
 using testing::Contains;
 using testing::Not;
 
@@ -203,7 +204,8 @@ TEST_F(ArmPlanning, WhatItPutsDownStandsFree) {
   See();
   planner_.SetHeld(
       HeldPart{"round_peg_1", grasp.X_OG.inverse(), grasp.grip, grasp.width});
-  const auto found = planner_.FindFreePlace(area, grasp.q_approach);
+  const auto found = planner_.FindFreePlace(area, ArmPlanner::Taker::kOtherArm,
+                                            grasp.q_approach);
   ASSERT_TRUE(std::holds_alternative<PlaceTarget>(found))
       << std::get<std::string>(found);
   const PlaceTarget& target = std::get<PlaceTarget>(found);
@@ -212,6 +214,23 @@ TEST_F(ArmPlanning, WhatItPutsDownStandsFree) {
             0.012 - 1e-9);
   EXPECT_TRUE(
       area.contains(Eigen::Vector2d(target.X_WO.translation().head<2>())));
+}
+
+TEST_F(ArmPlanning, WhatItPresentsTheOtherArmCanTake) {
+  using Taker = ArmPlanner::Taker;
+  const GraspChoice grasp = Grasp("round_peg_1");
+  planner_.SetHeld(
+      HeldPart{"round_peg_1", grasp.X_OG.inverse(), grasp.grip, grasp.width});
+  const auto is_found = [&](double x, Taker taker) {
+    const Eigen::AlignedBox2d area{Vector2d(x, -0.45),
+                                    Vector2d(x + 0.06, -0.40)};
+    return std::holds_alternative<PlaceTarget>(
+        planner_.FindFreePlace(area, taker, grasp.q_approach));
+  };
+  EXPECT_TRUE(is_found(0.10, Taker::kOtherArm));
+  const double beyond_left = left_.workspace.max().x() + 0.03;
+  EXPECT_TRUE(is_found(beyond_left, Taker::kAnyone));
+  EXPECT_FALSE(is_found(beyond_left, Taker::kOtherArm));
 }
 
 }  // namespace
