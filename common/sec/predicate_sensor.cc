@@ -189,8 +189,7 @@ bool PredicateSensor::CoversGrasps(size_t cover, size_t part,
 }
 
 bool PredicateSensor::IsWithinReach(size_t part, const View& view) const {
-  return workspace_.contains(view.scene.items[part].X_WO *
-                             shapes_[part].box().center());
+  return workspace_.contains(view.scene.items[part].X_WO.translation());
 }
 
 size_t PredicateSensor::IndexOfPart(const std::string& name) const {

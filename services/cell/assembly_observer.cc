@@ -39,6 +39,7 @@ void AssemblyObserver::OnResult(const Message& message) {
   record_.num_refused += result->outcome == skill_result_t::REFUSED;
   record_.num_failed += result->outcome == skill_result_t::FAILED;
   record_.num_stopped += result->outcome == skill_result_t::STOPPED;
+  record_.num_yielded += result->outcome == skill_result_t::YIELDED;
   record_.peak_force = std::max(record_.peak_force, result->peak_force);
   is_to_compare_ |= result->outcome == skill_result_t::SUCCEEDED &&
                     inserts_.contains(result->id);

@@ -22,7 +22,7 @@ class AssemblyObserver {
   struct Record {
     std::optional<execution_t> execution;  ///< the last
     int num_requests = 0;                  ///< of skills
-    int num_refused = 0, num_failed = 0, num_stopped = 0;
+    int num_refused = 0, num_failed = 0, num_stopped = 0, num_yielded = 0;
     double peak_force = 0;  ///< [N] of all skills
     /// Sites whose part was seated, and was not any more after a later step;
     /// each time that it was seen.

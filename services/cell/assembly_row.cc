@@ -46,6 +46,7 @@ void AddRecord(const AssemblyObserver::Record& record, json* row) {
   (*row)["refused"] = record.num_refused;
   (*row)["failed"] = record.num_failed;
   (*row)["stopped"] = record.num_stopped;
+  (*row)["yielded"] = record.num_yielded;
   (*row)["peak_force"] = record.peak_force;
   (*row)["broken"] = record.broken;
   (*row)["seconds"] = 1e-6 * static_cast<double>(record.last_utime);

@@ -27,7 +27,7 @@ struct ArmOrder {
 };
 
 struct ArmOutcome {
-  enum class Outcome { kSucceeded, kRefused, kFailed, kStopped };
+  enum class Outcome { kSucceeded, kRefused, kFailed, kStopped, kYielded };
   int64_t id = 0;
   int64_t utime = 0;  ///< [us] of the end
   int arm = 0;

@@ -41,8 +41,9 @@ void Executor::Take(const ArmOutcome& result) {
   const auto it = running_.find(result.arm);
   if (it == running_.end() || it->second.id != result.id) return;
   const bool has_succeeded = result.outcome == ArmOutcome::Outcome::kSucceeded;
+  const bool counts = result.outcome != ArmOutcome::Outcome::kStopped &&
+                      result.outcome != ArmOutcome::Outcome::kYielded;
   if (it->second.action) {
-    const bool counts = result.outcome != ArmOutcome::Outcome::kStopped;
     End(result.arm, result.utime, counts,
         has_succeeded ? "it was reported as done, but is not" : result.reason);
     return;
@@ -50,7 +51,7 @@ void Executor::Take(const ArmOutcome& result) {
   const bool is_home = it->second.kind == ArmOrder::Kind::kGoHome;
   End(result.arm, result.utime, false, "");
   if (has_succeeded && is_home) home_.insert(result.arm);
-  if (has_succeeded || result.outcome == ArmOutcome::Outcome::kStopped) return;
+  if (has_succeeded || !counts) return;
   if (++num_clearings_[result.arm] < params_.max_attempts) return;
   home_.insert(result.arm);
   left_over_ = result.reason;
@@ -177,13 +178,18 @@ void Executor::PassOn(const State& state, Instant now, Orders& orders) {
   }
 }
 
-/// Asks the person if there is no way; what cannot be decided may clear up.
+/// Asks the person if there is no way, or none that is sure; for a while it may
+/// clear up, as when a person is at work.
 void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
                          Orders& orders) {
   const auto ask = [&](const std::string& text, std::vector<Wish> needed) {
     AskPerson({Execution::State::kStuck, "", text, std::move(needed)}, state,
               now, orders);
   };
+  if (!undecided_utime_) undecided_utime_ = now.utime;
+  if (now.utime - *undecided_utime_ < params_.patience_us) {
+    return Sense(now, params_.sense_period_us, orders);
+  }
   if (plan.result == Plan::Result::kNoPlan) {
     if (!question_) {
       question_ = AskForHelp(
@@ -191,16 +197,11 @@ void Executor::WaitOrAsk(const Plan& plan, const State& state, Instant now,
     }
     return ask(*question_, plan.needed);
   }
-  if (!undecided_utime_) undecided_utime_ = now.utime;
-  if (now.utime - *undecided_utime_ >= params_.patience_us) {
-    const bool is_found = plan.result == Plan::Result::kFound;
-    return ask(is_found
-                   ? "it cannot be seen whether " +
-                         domain_.Show(plan.steps[0].action) + " is possible"
-                   : plan.reason,
-               {});
-  }
-  Sense(now, params_.sense_period_us, orders);
+  const bool is_found = plan.result == Plan::Result::kFound;
+  ask(is_found ? "it cannot be seen whether " +
+                     domain_.Show(plan.steps[0].action) + " is possible"
+               : plan.reason,
+      {});
 }
 
 void Executor::AskPerson(Execution question, const State& state, Instant now,

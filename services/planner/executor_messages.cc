@@ -37,6 +37,8 @@ std::optional<ArmOutcome::Outcome> OutcomeOf(int8_t code) {
       return ArmOutcome::Outcome::kFailed;
     case skill_result_t::STOPPED:
       return ArmOutcome::Outcome::kStopped;
+    case skill_result_t::YIELDED:
+      return ArmOutcome::Outcome::kYielded;
     default:
       return std::nullopt;
   }

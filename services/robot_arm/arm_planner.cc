@@ -33,11 +33,6 @@ constexpr double kMoving = 1e-4;      // [rad] of a joint in a tick
 constexpr double kFromStill = 0.006;  // [m] that an arm that stands is given
 constexpr double kFromMoving = 0.06;  // [m] that an arm that moves is given
 
-bool IsSame(const Isometry3d& a, const Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() < kMoved &&
-         AngleAxisd(a.linear().transpose() * b.linear()).angle() < kTurned;
-}
-
 CellLayout Alone(const CellLayout& layout, const std::string& arm) {
   CellLayout alone = layout;
   std::erase_if(alone.arms,
@@ -75,6 +70,13 @@ ReachParams ReachParamsOf(const SkillSettings& settings) {
 }
 
 }  // namespace
+
+bool HasMoved(const Isometry3d& X_WO_before, const Isometry3d& X_WO_now) {
+  return (X_WO_before.translation() - X_WO_now.translation()).norm() >=
+             kMoved ||
+         AngleAxisd(X_WO_before.linear().transpose() * X_WO_now.linear())
+                 .angle() >= kTurned;
+}
 
 ArmPlanner::ArmPlanner(const Params& params)
     : params_(params),
@@ -212,8 +214,9 @@ OrReason<JointTrajectory> ArmPlanner::PlanTransit(
 OrReason<PlaceTarget> ArmPlanner::FindFreePlace(const Eigen::AlignedBox2d& area,
                                                 Taker taker,
                                                 const Joints& q) const {
-  return NowOrLater(
-      [&](const ArmScene& scene) { return FreePlaceIn(scene, area, taker, q); });
+  return NowOrLater([&](const ArmScene& scene) {
+    return FreePlaceIn(scene, area, taker, q);
+  });
 }
 
 OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
@@ -290,7 +293,8 @@ void ArmPlanner::SetHands(std::vector<Vector3d> points) {
   hands_ = PointCloud(std::move(points));
   in_hands_.clear();
   for (const auto& [part, X_WO] : poses_) {
-    if (IsInHand(part)) in_hands_.push_back(part);
+    const bool is_mine = held_ && held_->part == part;
+    if (!is_mine && IsInHand(part)) in_hands_.push_back(part);
   }
 }
 
@@ -342,7 +346,7 @@ void ArmPlanner::RefreshReachable() {
   for (const auto& [name, X_WO] : poses_) {
     if (params_.parts.Find(name)->is_fixed) continue;
     const auto known = looked_at_.find(name);
-    if (known != looked_at_.end() && IsSame(known->second, X_WO)) continue;
+    if (known != looked_at_.end() && !HasMoved(known->second, X_WO)) continue;
     looked_at_.insert_or_assign(name, X_WO);
     const auto at = std::ranges::lower_bound(reachable_, name);
     const bool was = at != reachable_.end() && *at == name;

@@ -17,6 +17,10 @@
 
 namespace cell {
 
+/// True if a part has moved between two looks by more than they differ.
+bool HasMoved(const Eigen::Isometry3d& X_WO_before,
+              const Eigen::Isometry3d& X_WO_now);
+
 /// A part in the gripper.
 struct HeldPart {
   std::string part;

@@ -19,6 +19,7 @@ constexpr double kPatience = 15;        // [s] with people's hands
 constexpr double kStill = 1e-3;         // [rad/s]
 constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 
+constexpr char kPersonInTheWay[] = "a person's hand is in the way";
 constexpr char kHolds[] = "the cell holds";
 constexpr char kLetGo[] = "let go";
 
@@ -70,8 +71,13 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   if (!std::exchange(knows_place_, true)) {
     is_near_ = planner_.IsNearSomething(command_->q);
   }
+  PlanSkill();
+}
+
+void ArmWorker::PlanSkill() {
+  todos_.clear();
   if (is_near_) PlanDrawBack();
-  switch (request.kind) {
+  switch (request_->kind) {
     case SkillRequest::Kind::kInsert:
       return PlanInsert();
     case SkillRequest::Kind::kPresent:
@@ -136,8 +142,7 @@ bool ArmWorker::Waits(double dt) {
     if (stage_) way.push_back(stage_->Ahead(seconds, command_->q));
   }
   const bool is_person_there = stage_ && planner_.MeetsPerson(now, way);
-  if (Heeds(way_of_people_.Step(is_person_there, dt),
-            "a person's hand is in the way")) {
+  if (Heeds(way_of_people_.Step(is_person_there, dt), kPersonInTheWay)) {
     return true;
   }
   const bool is_other_there = stage_ && planner_.MeetsOther(now, way);
@@ -189,7 +194,8 @@ bool ArmWorker::BeginNext() {
     FinishFirst();
   }
   using Outcome = SkillResult::Outcome;
-  End(failure_.empty() ? Outcome::kSucceeded : Outcome::kFailed, failure_);
+  const Outcome not_done = has_yielded_ ? Outcome::kYielded : Outcome::kFailed;
+  End(failure_.empty() ? Outcome::kSucceeded : not_done, failure_);
   return false;
 }
 
@@ -203,12 +209,17 @@ void ArmWorker::FinishFirst() {
 void ArmWorker::OnFailure(const std::string& reason) {
   stage_.reset();
   todos_.clear();
-  if (!has_moved_) return End(SkillResult::Outcome::kRefused, reason);
+  using Outcome = SkillResult::Outcome;
+  const bool is_person = reason == kPersonInTheWay;
+  if (!has_moved_) {
+    return End(is_person ? Outcome::kYielded : Outcome::kRefused, reason);
+  }
   if (!failure_.empty()) {
     return End(SkillResult::Outcome::kFailed,
                fmt::format("{}; and then: {}", failure_, reason));
   }
   failure_ = reason;
+  has_yielded_ = is_person;
   if (is_near_ && !held_ && !reading_.is_gripping) {
     const double open = command_->opening + 2 * kLetGoMargin;
     Add("open", [=, this] { return Fingers(open, Until::kThere); });
@@ -238,12 +249,16 @@ void ArmWorker::Add(const std::string& phase, std::function<Todo::Made()> make,
 }
 
 /// People come first: it waits until their hands are away from the point.
-void ArmWorker::AddWaitForHands(std::function<Vector3d()> point) {
-  Add("wait for the person", [this, point]() -> Todo::Made {
-    return std::make_unique<WaitUntil>(
-        [this, point] { return !planner_.IsHandNear(point()); }, kPatience,
-        "a person's hand is in the way");
-  });
+void ArmWorker::AddWaitForHands(std::function<Vector3d()> point,
+                                std::function<void()> then) {
+  Add(
+      "wait for the person",
+      [this, point]() -> Todo::Made {
+        return std::make_unique<WaitUntil>(
+            [this, point] { return !planner_.IsHandNear(point()); }, kPatience,
+            kPersonInTheWay);
+      },
+      std::move(then));
 }
 
 void ArmWorker::PlanInsert() {
@@ -313,12 +328,18 @@ void ArmWorker::PlanTake(const TargetMaker& target) {
     auto planned = planner_.PlanPick(request_->part, wanted, command_->q);
     if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
     grasp_ = std::get<GraspChoice>(planned);
+    X_WO_grasp_ = poses_.at(request_->part);
     return std::unique_ptr<SkillStage>();
   });
   AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
   Add("open", [this] { return Fingers(grasp_.opening, Until::kThere); });
   Add("go to " + request_->part, [this] { return Transit(grasp_.q_approach); });
-  AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
+  AddWaitForHands([this] { return poses_.at(request_->part).translation(); },
+                  [this] {
+                    // Where a person has put it now it wants another grasp.
+                    if (HasMoved(X_WO_grasp_, poses_.at(request_->part)))
+                      PlanSkill();
+                  });
   Add("reach", [this] {
     is_near_ = true;
     return Line(poses_.at(request_->part) * grasp_.X_OG);
@@ -327,7 +348,7 @@ void ArmWorker::PlanTake(const TargetMaker& target) {
       "close",
       [this]() -> Todo::Made {
         if (planner_.IsHandNear(poses_.at(request_->part).translation())) {
-          return "a person's hand is at " + request_->part;
+          return kPersonInTheWay;
         }
         return Fingers(grasp_.width - params_.settings.fingers.close_beyond,
                        Until::kGripping);

@@ -86,7 +86,9 @@ class ArmWorker {
 
   void Add(const std::string& phase, std::function<Todo::Made()> make,
            std::function<void()> then = {});
-  void AddWaitForHands(std::function<Eigen::Vector3d()> point);
+  void AddWaitForHands(std::function<Eigen::Vector3d()> point,
+                       std::function<void()> then = {});
+  void PlanSkill();
   void PlanInsert();
   void PlanPresent();
   void PlanPutDown();
@@ -119,14 +121,16 @@ class ArmWorker {
   std::deque<Todo> todos_;
   std::unique_ptr<SkillStage> stage_;  // of the first of them
   std::string phase_;
-  GraspChoice grasp_;     // of the part that is taken
+  GraspChoice grasp_;  // of the part that is taken ...
+  Eigen::Isometry3d X_WO_grasp_ = Eigen::Isometry3d::Identity();  // ... there
   PlaceTarget target_;    // of the part that is put down
   PlaceChoice place_;     // there
   bool is_near_ = false;  // among things: it draws back before it turns away
   bool knows_place_ = false;  // whether it is near, from its first skill on
   double peak_force_ = 0;
   bool has_moved_ = false;
-  std::string failure_;  // that the arm recovers from
+  bool has_yielded_ = false;  // to a person: why it fails
+  std::string failure_;       // that the arm recovers from
   std::optional<SkillResult> result_;
   RightOfWay way_of_others_, way_of_people_;
   bool is_frozen_ = false;

@@ -25,7 +25,8 @@ struct SkillResult {
     kSucceeded = 0,
     kRefused = 1,  ///< nothing has moved
     kFailed = 2,
-    kStopped = 3  ///< by a protective stop
+    kStopped = 3,  ///< by a protective stop
+    kYielded = 4   ///< to a person: it may be asked again
   };
   int64_t id = 0;
   Outcome outcome = Outcome::kSucceeded;

@@ -147,7 +147,7 @@ bool Supervisor::OnState(const std::string& arm, const arm_state_t& message) {
 bool Supervisor::OnResult(const skill_result_t& message) {
   const auto& arms = params_.arms;
   if (message.outcome < skill_result_t::SUCCEEDED ||
-      message.outcome > skill_result_t::STOPPED ||
+      message.outcome > skill_result_t::YIELDED ||
       std::find(arms.begin(), arms.end(), message.arm) == arms.end()) {
     return false;
   }

@@ -126,6 +126,10 @@ TEST_F(ArmPlanning, PeoplesHandsAtWorkAreInTheWay) {
   at(0);
   at(0);
   EXPECT_TRUE(planner_.MeetsPerson(home, {there.q}));
+  // But the arm itself holds it.
+  planner_.SetHeld(HeldPart{"shaft", Isometry3d::Identity(), grasp.grip, 0.01});
+  at(0);
+  EXPECT_FALSE(planner_.MeetsPerson(home, {there.q}));
 }
 
 TEST_F(ArmPlanning, ItLeavesWhatItStandsNearTo) {
@@ -223,7 +227,7 @@ TEST_F(ArmPlanning, WhatItPresentsTheOtherArmCanTake) {
       HeldPart{"round_peg_1", grasp.X_OG.inverse(), grasp.grip, grasp.width});
   const auto is_found = [&](double x, Taker taker) {
     const Eigen::AlignedBox2d area{Vector2d(x, -0.45),
-                                    Vector2d(x + 0.06, -0.40)};
+                                   Vector2d(x + 0.06, -0.40)};
     return std::holds_alternative<PlaceTarget>(
         planner_.FindFreePlace(area, taker, grasp.q_approach));
   };

@@ -91,11 +91,13 @@ TEST_F(AssemblyObserverTest, CountsWhatWasAskedAndHowItEnded) {
   End(2, skill_request_t::PRESENT, skill_result_t::REFUSED);
   End(3, skill_request_t::INSERT, skill_result_t::FAILED, 42);
   End(4, skill_request_t::INSERT, skill_result_t::STOPPED, 12);
+  End(5, skill_request_t::INSERT, skill_result_t::YIELDED, 12);
   const AssemblyObserver::Record& record = observer_.record();
-  EXPECT_EQ(record.num_requests, 4);
+  EXPECT_EQ(record.num_requests, 5);
   EXPECT_EQ(record.num_refused, 1);
   EXPECT_EQ(record.num_failed, 1);
   EXPECT_EQ(record.num_stopped, 1);
+  EXPECT_EQ(record.num_yielded, 1);
   EXPECT_EQ(record.peak_force, 42);
 }
 

@@ -22,6 +22,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
+constexpr int kPatience = 800;  // [ticks], after which a person is asked
+
 Deployment Shipped() {
   return {CELL_SOURCE_DIR "/deploy/config",
           CELL_SOURCE_DIR "/deploy/tasks/cranfield",
@@ -228,7 +230,7 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
   std::erase(right_.reachable, "separator");
   --right_.num_reachable;
   Start("robot", "assembled");
-  Run(200);
+  Run(kPatience);
   ASSERT_FALSE(told_.empty());
   EXPECT_EQ(told_.back().state, execution_t::STUCK);
   EXPECT_EQ(told_.back().text,
@@ -250,7 +252,7 @@ TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
   --right_.num_reachable;
   state_ = cranfield_.With(state_, {"Clear(separator)"}, Truth::kFalse);
   Start("robot", "assembled");
-  Run(200);
+  Run(kPatience);
   ASSERT_FALSE(told_.empty());
   EXPECT_EQ(told_.back().text,
             "separator is out of reach of both arms: please move it into "
@@ -332,7 +334,7 @@ TEST_F(RobotPlanner, RejectsForgedReportsAndResults) {
   };
   using S = skill_result_t;
   EXPECT_FALSE(is_result([](S& r) { r.arm = "table"; }));
-  EXPECT_FALSE(is_result([](S& r) { r.outcome = 4; }));
+  EXPECT_FALSE(is_result([](S& r) { r.outcome = 5; }));
   EXPECT_FALSE(is_result([](S& r) { r.outcome = -1; }));
   EXPECT_FALSE(is_result([](S& r) { r.id = -1; }));
   EXPECT_FALSE(is_result([](S& r) { r.header.utime = 6; }));
