@@ -56,8 +56,9 @@ std::vector<std::vector<Joints>> ReachSearch::Tracks(
     const Isometry3d& X_WG_begin, const Isometry3d& X_WG_end,
     const Joints& seed, double turn) {
   std::vector<std::vector<Joints>> tracks;
-  if (!arm_.workspace.contains(X_WG_begin.translation()) ||
-      !arm_.workspace.contains(X_WG_end.translation())) {
+  const Eigen::AlignedBox3d workspace = arm_.PlannedWorkspace();
+  if (!workspace.contains(X_WG_begin.translation()) ||
+      !workspace.contains(X_WG_end.translation())) {
     Fail(Stage::kReach, "outside the arm's workspace");
     return tracks;
   }

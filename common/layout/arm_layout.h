@@ -29,6 +29,12 @@ struct ArmLayout {
   Eigen::Vector3d p_F_tool = Eigen::Vector3d::Zero();  ///< its centre of mass
   /// The origin of G stays within.
   Eigen::AlignedBox3d workspace;
+  static constexpr double kInside = 0.005;  ///< [m] that is left to the servo
+  /// Ways are planned within: kInside from the border.
+  Eigen::AlignedBox3d PlannedWorkspace() const {
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kInside);
+    return {workspace.min() + margin, workspace.max() - margin};
+  }
   /// Parts are set down here, upright, for the other arm.
   Eigen::AlignedBox2d exchange;
 

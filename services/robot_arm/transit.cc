@@ -11,14 +11,11 @@
 namespace cell {
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double kViaHeight = 0.22;  // [m] that a way goes over things
 constexpr double kNear = 0.0015;     // [m] if the clearance cannot be kept
 constexpr double kTouching = 1e-4;   // [m]
 constexpr int kMaxTouching = 12;     // pairs
 constexpr double kMinStep = 0.0027;  // [m] of the fingertips between checks
-constexpr double kInside = 0.005;    // [m] a way stays inside the workspace
 
 // Straight, or through one via, or through two.
 std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
@@ -67,10 +64,8 @@ std::vector<std::pair<std::string, std::string>> Touching(
 
 // [m] of the gripper beyond where ways stay.
 double OverBorder(const ArmLayout& arm, const Joints& q) {
-  const Vector3d margin = Vector3d::Constant(kInside);
-  const Eigen::AlignedBox3d inside(arm.workspace.min() + margin,
-                                   arm.workspace.max() - margin);
-  return inside.exteriorDistance(GripperPose(arm, q).translation());
+  return arm.PlannedWorkspace().exteriorDistance(
+      GripperPose(arm, q).translation());
 }
 
 }  // namespace

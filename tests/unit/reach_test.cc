@@ -55,6 +55,9 @@ TEST_F(ReachTest, EveryGraspBringsTheGripperWhereItSays) {
 TEST_F(ReachTest, SaysThatAPartIsOutOfReach) {
   scene_.PutPart("shaft", Standing(-0.38, -0.64));
   EXPECT_EQ(Grasps("right", "shaft").reason, "outside the arm's workspace");
+  scene_.PutPart("shaft", Standing(-0.358, -0.64));
+  EXPECT_EQ(Grasps("right", "shaft").reason, "outside the arm's workspace")
+      << "too near to the border";
   scene_.PutPart("shaft", Standing(-0.34, -0.64));
   EXPECT_EQ(Grasps("right", "shaft").reason, "out of reach");
   EXPECT_EQ(Grasps("right", "head").reason, "head is nowhere to be taken from");
