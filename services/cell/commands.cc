@@ -7,7 +7,7 @@ void AddAllCommands(CLI::App& app, Action* action) {
        {AddDemo,    AddSim,  AddReplay, AddDiff,   AddEval,    AddView,
         AddCheck,   AddUp,   AddDown,   AddStatus, AddTop,     AddDoctor,
         AddEpisode, AddHold, AddResume, AddGoal,   AddPrepare, AddLibrary,
-        AddLog,     AddSpy,  AddTypes}) {
+        AddRecord,  AddLog,  AddSpy,    AddTypes}) {
     add(app, action);
   }
 }

@@ -33,6 +33,7 @@ void AddUp(CLI::App& app, Action* action);
 void AddDown(CLI::App& app, Action* action);
 void AddStatus(CLI::App& app, Action* action);
 void AddTop(CLI::App& app, Action* action);
+void AddRecord(CLI::App& app, Action* action);
 void AddLog(CLI::App& app, Action* action);
 void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);

@@ -63,15 +63,8 @@ void Recorder::ReportGap(int32_t from, int32_t to) {
 }
 
 std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment) {
-  const Config config = deployment.ForService("recorder");
-  RotatingLog::Params params;
-  const auto bytes = [&config](const char* key) {
-    return int64_t{config.Integer(key, 1, 1 << 30)} << 20;
-  };
-  params.file_bytes = bytes("rotate_mb");
-  params.total_bytes = bytes("keep_mb");
-  params.free_bytes = bytes("min_free_mb");
-  config.Finish();
+  const RotatingLog::Params params =
+      RotatingLog::ParamsFromConfig(deployment.ForService("recorder"));
   if (!deployment.is_live) {
     return std::make_unique<Recorder>(bus, deployment.run_dir);
   }

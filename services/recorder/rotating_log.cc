@@ -17,6 +17,16 @@ constexpr int64_t kEventBytes = 48;
 
 }  // namespace
 
+RotatingLog::Params RotatingLog::ParamsFromConfig(const Config& config) {
+  const auto bytes = [&config](const char* key) {
+    return int64_t{config.Integer(key, 1, 1 << 30)} << 20;
+  };
+  const Params params{bytes("rotate_mb"), bytes("keep_mb"),
+                      bytes("min_free_mb")};
+  config.Finish();
+  return params;
+}
+
 RotatingLog::RotatingLog(std::filesystem::path run_dir, const Params& params)
     : run_dir_(std::move(run_dir)), params_(params) {}
 

@@ -8,6 +8,7 @@
 
 #include "common/bus/event_log.h"
 #include "common/bus/message.h"
+#include "common/config/config.h"
 
 namespace cell {
 
@@ -21,6 +22,8 @@ class RotatingLog {
     int64_t total_bytes = 8ll << 30;  ///< of all files of the folder
     int64_t free_bytes = 512 << 20;   ///< it stops with less left on the disk
   };
+  /// Of recorder.yaml. @throws ConfigError naming file:key.
+  static Params ParamsFromConfig(const Config& config);
 
   RotatingLog(std::filesystem::path run_dir, const Params& params);
 

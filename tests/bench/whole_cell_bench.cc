@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <string>
 
 #include "common/bus/process_usage.h"
@@ -31,29 +32,32 @@ double Now() {
 
 struct Timing {
   double wall_s = 0;
+  int32_t num_ticks = 0;
   double sim_s = 0;
 };
 
-Timing Run(const Roster& roster, const Deployment& deployment) {
+// To the end of the episode, or of `max_ticks`.
+Timing Run(const Roster& roster, const Deployment& deployment,
+           int32_t max_ticks = std::numeric_limits<int32_t>::max()) {
   SimBus bus(roster, AllServices(deployment, kScript, kSeed));
   const double start = Now();
-  while (bus.Step()) {
+  while (bus.last_tick().header.tick < max_ticks && bus.Step()) {
   }
-  return {Now() - start, bus.last_tick().header.tick * kTickUs * 1e-6};
+  const int32_t num_ticks = bus.last_tick().header.tick;
+  return {Now() - start, num_ticks, num_ticks * kTickUs * 1e-6};
 }
 
 // Seconds that mj_step itself took: MuJoCo keeps them in its data as soon as it
 // has a clock, and hands the data to this callback in every step.
 double g_step_s = 0;
 
-double BareStepSeconds(const Roster& roster, const Deployment& deployment) {
-  Roster alone = roster;
-  alone.entries.resize(1);
+double BareStepSeconds(const Roster& alone, const Deployment& deployment,
+                       int32_t num_ticks) {
   mjcb_time = Now;
   mjcb_passive = [](const mjModel*, mjData* data) {
     g_step_s = data->timer[mjTIMER_STEP].duration;
   };
-  Run(alone, deployment);
+  Run(alone, deployment, num_ticks);
   mjcb_time = nullptr;
   mjcb_passive = nullptr;
   return g_step_s;
@@ -100,14 +104,14 @@ void Print(const char* what, double wall_s, double sim_s, double bare_s) {
 
 int Main(const std::filesystem::path& scratch, const std::string& deploy) {
   const CellFiles files = FindCellFiles(deploy);
-  const double bare_s = BareStepSeconds(files.roster, files.deployment);
-  Roster alone = files.roster;
-  alone.entries.resize(1);
-  const Timing world = Run(alone, files.deployment);
   Deployment recorded = files.deployment;
   recorded.run_dir = scratch / "sim";
   std::filesystem::create_directories(recorded.run_dir);
   const Timing sim = Run(files.roster, recorded);
+  Roster alone = files.roster;
+  alone.entries.resize(1);
+  const double bare_s = BareStepSeconds(alone, files.deployment, sim.num_ticks);
+  const Timing world = Run(alone, files.deployment, sim.num_ticks);
   RunFolder seeing = RunFolder::Create((scratch / "sim-cameras").string(), "",
                                        files.deployment, kScript, kSeed);
   seeing.TakePart("cameras");

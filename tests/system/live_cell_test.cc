@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "common/bus/live_log.h"
 #include "common/bus/message.h"
 
 namespace cell {
@@ -120,6 +121,34 @@ TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
   std::cout << top.output;
   EXPECT_GT(NumRejected(top.output), 100);
   Stop();
+}
+
+TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
+  Start("two_pegs");
+  const ShellResult record = Cell("record --seconds 3 --out glimpse");
+  const bool is_whole = record.output.find(" 0 lost") != std::string::npos;
+  EXPECT_EQ(record.code, is_whole ? 0 : 1) << record.output;
+  const ShellResult again = Cell("record --seconds 1 --out glimpse");
+  EXPECT_EQ(again.code, 1);
+  EXPECT_THAT(again.output, HasSubstr("choose another --out"));
+  Stop();
+  // What is in there was said, as it is in the recorder's own log.
+  const LiveLog own = LiveLog::Load(Run());
+  const LiveLog glimpse = LiveLog::Load(dir_ / "glimpse");
+  const auto messages = glimpse.InOrder();
+  ASSERT_GT(messages.size(), 1000u);
+  for (const Message* message : messages) {
+    const Message* twin = own.Find({message->channel, message->sender,
+                                    message->seq, DigestOf(*message->bytes)});
+    EXPECT_NE(twin, nullptr) << message->channel << " " << message->tick;
+  }
+  EXPECT_EQ(glimpse.lives().size(), own.lives().size());
+}
+
+TEST_F(Live, WithoutACellARecordingSaysThatItHeardNothing) {
+  const ShellResult record = Cell("record --seconds 0.3 --out glimpse");
+  EXPECT_EQ(record.code, 1);
+  EXPECT_THAT(record.output, HasSubstr("no cell was heard"));
 }
 
 }  // namespace

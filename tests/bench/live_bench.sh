@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Under a manager (under_systemd.sh): how fast the live cell is there, and back
+# after a death, and what it loses with three camera sets in SECONDS. Logs go to
+# SCRATCH: live_bench.sh SCRATCH SECONDS
+set -euo pipefail
+scratch=$1 seconds=$2
+cell=/usr/local/bin/cell
+state=$XDG_CONFIG_HOME/cell  # $STATE_DIRECTORY of a user's manager
+mount --bind "$scratch" "$state"
+printf 'CELL_DEMONSTRATION=assembly\nCELL_SEED=500\nCELL_CAMERAS=--cameras\n' \
+  >"$state/environment"
+systemctl --user add-wants cell.target cell-cameras.target 2>/dev/null
+
+begin=0
+start() { begin=$(date +%s%N); }
+ms() { echo $((($(date +%s%N) - begin) / 1000000)); }
+pid_of() { systemctl --user show -p MainPID --value "$1"; }
+# Kills a unit; returns when it is ready again.
+kill_and_wait() {
+  local before now state
+  before=$(pid_of "$1")
+  start
+  kill -KILL "$before"
+  for _ in $(seq 1000); do
+    { read -r now; read -r state; } < <(
+      systemctl --user show -p MainPID,ActiveState --value "$1")
+    [[ $now != "$before" && $now != 0 && $state == active ]] && return
+  done
+}
+
+start
+systemd-run --user --quiet --wait true
+echo "a unit that does nothing, from its start to its end: $(ms) ms"
+systemd-run --user --quiet --unit=nothing -p Restart=always -p RestartSec=20ms \
+  sleep infinity
+kill_and_wait nothing.service
+echo "a unit that sleeps, from kill -9 to ready: $(ms) ms"
+systemctl --user stop nothing.service
+
+start
+"$cell" up --user >/dev/null
+echo "the whole cell with cameras, from cell up to ready: $(ms) ms"
+sleep 2
+for service in vtb tracker sec-builder recognizer predicate-estimator planner \
+  supervisor robot-arm@left robot-arm@right library recorder camera-set@1; do
+  kill_and_wait "cell-$service.service"
+  echo "$service, from kill -9 to ready: $(ms) ms"
+  sleep 0.5
+done
+"$cell" down --user >/dev/null
+
+# One assembly after the other.
+"$cell" up --user >/dev/null
+for ((left = seconds; left > 0; left -= 100)); do
+  sleep $((left < 100 ? left : 100))
+  "$cell" episode start --demonstration assembly \
+    --seed "$left" >/dev/null
+done
+"$cell" top --reports 1 --period 5
+"$cell" down --user >/dev/null
+run=$(readlink -f "$state/runs/current")
+bytes=$(du -bc "$run"/*.lcmlog | tail -n 1 | cut -f 1)
+echo "log: $((bytes * 60 / seconds / 1000000)) MB/min"
+"$cell" log check "$run" || true
