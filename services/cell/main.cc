@@ -3,7 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include "services/cell/commands.h"
+#include "services/cell/commands/commands.h"
 
 int main(int argc, char** argv) {
   CLI::App app(

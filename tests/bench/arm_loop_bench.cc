@@ -16,7 +16,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/bus/stepper.h"
 #include "common/node/cell_files.h"
-#include "services/cell/service_registry.h"
+#include "services/cell/running/service_registry.h"
 
 namespace cell {
 namespace {

@@ -13,7 +13,7 @@
 #include "common/rendering/posed_scene.h"
 #include "common/rendering/renderer.h"
 #include "services/camera_set/rendered_view.h"
-#include "services/cell/service_registry.h"
+#include "services/cell/running/service_registry.h"
 
 namespace cell {
 namespace {

@@ -15,8 +15,8 @@
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
-#include "services/cell/run_folder.h"
-#include "services/cell/service_registry.h"
+#include "services/cell/running/run_folder.h"
+#include "services/cell/running/service_registry.h"
 
 namespace cell {
 namespace {

@@ -38,9 +38,9 @@
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
 #include "common/imaging/rgbd_frame.h"
-#include "services/cell/episode_observer.h"
-#include "services/cell/narrator.h"
-#include "services/cell/service_registry.h"
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/running/narrator.h"
+#include "services/cell/running/service_registry.h"
 
 namespace cell {
 namespace {

@@ -4,7 +4,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
-#include "services/cell/service_registry.h"
+#include "services/cell/running/service_registry.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {

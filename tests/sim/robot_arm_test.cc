@@ -10,8 +10,8 @@
 
 #include "cell/skill_result_t.hpp"
 #include "common/bus/sim_bus.h"
-#include "services/cell/assembly_score.h"
-#include "services/cell/pose_looks.h"
+#include "services/cell/evaluations/assembly_score.h"
+#include "services/cell/evaluations/pose_looks.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 #include "tests/unit/stage_testing.h"

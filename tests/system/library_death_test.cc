@@ -17,7 +17,7 @@
 #include "common/bus/replay.h"
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
-#include "services/cell/process_group.h"
+#include "services/cell/running/process_group.h"
 #include "services/library/content_file.h"
 #include "tests/unit/keeping_cell.h"
 #include "tests/unit/stage_testing.h"

@@ -15,7 +15,7 @@
 #include "common/bus/lcm_port.h"
 #include "common/bus/private_network.h"
 #include "common/node/cell_files.h"
-#include "services/cell/process_group.h"
+#include "services/cell/running/process_group.h"
 #include "tests/system/run_cell.h"
 
 namespace cell {

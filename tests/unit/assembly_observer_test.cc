@@ -1,4 +1,4 @@
-#include "services/cell/assembly_observer.h"
+#include "services/cell/evaluations/assembly_observer.h"
 
 #include <gmock/gmock.h>
 

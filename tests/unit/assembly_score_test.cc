@@ -1,4 +1,4 @@
-#include "services/cell/assembly_score.h"
+#include "services/cell/evaluations/assembly_score.h"
 
 #include <gmock/gmock.h>
 

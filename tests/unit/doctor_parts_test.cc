@@ -5,7 +5,7 @@
 
 #include "services/cell/doctor/packages.h"
 #include "services/cell/doctor/proc_table.h"
-#include "services/cell/spy_command.h"
+#include "services/cell/running/spy_command.h"
 
 namespace cell {
 namespace {

@@ -1,5 +1,5 @@
 // Damaged, truncated, stock and foreign logs of a toy cell.
-#include "services/cell/log_audit.h"
+#include "services/cell/logs/log_audit.h"
 
 #include <gmock/gmock.h>
 
@@ -15,9 +15,9 @@
 #include "common/bus/manifest.h"
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
-#include "services/cell/canonical_log.h"
-#include "services/cell/channel_types.h"
-#include "services/cell/stock_reader.h"
+#include "services/cell/logs/canonical_log.h"
+#include "services/cell/logs/channel_types.h"
+#include "services/cell/logs/stock_reader.h"
 #include "services/recorder/recorder.h"
 #include "tests/unit/toy_services.h"
 

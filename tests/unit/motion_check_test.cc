@@ -1,4 +1,4 @@
-#include "services/cell/motion_check.h"
+#include "services/cell/motion/motion_check.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "services/cell/pose_looks.h"
+#include "services/cell/evaluations/pose_looks.h"
 
 #include <gtest/gtest.h>
 

@@ -29,18 +29,18 @@ const std::set<std::string> kAdapters = {
     "common/node/service_manager.cc",          // the watchdog's time
     "services/camera_set/pcd_file.cc",         // reads recorded clouds
     "services/camera_set/recorded_frames.cc",  // reads recorded frames
-    "services/cell/demo.cc",                   // starts the cell's processes
+    "services/cell/commands/demo.cc",          // starts the cell's processes
     "services/cell/doctor/host_machine.cc",    // files and clock of the machine
-    "services/cell/eval.cc",                   // writes the measures
-    "services/cell/job_pool.cc",               // processes of an evaluation
-    "services/cell/output_follower.cc",        // what the processes said
-    "services/cell/process_group.cc",          // processes of a demonstration
-    "services/cell/progress.cc",               // the wall clock for the person
-    "services/cell/progress.h",                //
-    "services/cell/row_store.cc",              // rows of an evaluation
-    "services/cell/run_folder.cc",             // what a run leaves behind
-    "services/cell/stock_reader.cc",           // runs LCM's own reader
-    "services/cell/types.cc",                  // writes texts of types
+    "services/cell/commands/eval.cc",          // writes the measures
+    "services/cell/evaluations/job_pool.cc",   // processes of an evaluation
+    "services/cell/running/output_follower.cc",  // what the processes said
+    "services/cell/running/process_group.cc",    // processes of a demonstration
+    "services/cell/running/progress.cc",       // the wall clock for the person
+    "services/cell/running/progress.h",        //
+    "services/cell/evaluations/row_store.cc",  // rows of an evaluation
+    "services/cell/running/run_folder.cc",     // what a run leaves behind
+    "services/cell/logs/stock_reader.cc",      // runs LCM's own reader
+    "services/cell/commands/types.cc",         // writes texts of types
     "services/library/content_file.cc",        // what a library held
     "services/recorder/log_store.cc",          // the log
 };

@@ -11,8 +11,8 @@
 #include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
 #include "services/cell/doctor/packages.h"
-#include "services/cell/service_registry.h"
-#include "services/cell/spy_command.h"
+#include "services/cell/running/service_registry.h"
+#include "services/cell/running/spy_command.h"
 
 namespace cell {
 namespace {
@@ -134,7 +134,8 @@ Diagnosis CheckTypesOfRun(const Machine& machine, const Site& site) {
 Diagnosis CheckPackages(const Machine& machine, const Site& site) {
   const fs::path top = fs::path(site.shipped_dir).parent_path();
   const auto list = machine.Read((top / "scripts/packages.txt").string());
-  if (site.shipped_dir.empty() || !list) return Diagnosis::Ok("installed: dpkg has seen to them");
+  if (site.shipped_dir.empty() || !list)
+    return Diagnosis::Ok("installed: dpkg has seen to them");
   const MissingPackages missing = FindMissingPackages(
       *list, machine.Read(site.root + "/var/lib/dpkg/status").value_or(""));
   const auto fix = [&](const std::vector<std::string>& packages) {

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/bus/bus.h"
+#include "common/bus/run_log.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/motion/motion_check.h"
+#include "services/cell/running/run_folder.h"
+
+namespace cell {
+namespace {
+
+int RunCheck(const std::string& path) {
+  const RunFolder run = RunFolder::Open(path);
+  MotionCheck check(CellLayout::FromConfig(run.deployment.OfTask("cell.yaml")),
+                    PartTable::FromConfig(run.deployment.OfTask("parts.yaml")));
+  const RunLog log = RunLog::Load(run.path);
+  for (const std::string& problem : log.problems()) {
+    std::cerr << problem << "\n";
+  }
+  for (const auto& [tick, entry] : log.ticks()) {
+    std::vector<Message> messages = entry.messages;
+    std::ranges::stable_partition(messages, [](const Message& message) {
+      return message.sender == 0;  // the clock's come first
+    });
+    for (const Message& message : messages) check.Put(message);
+  }
+  for (const Violation& violation : check.violations()) {
+    std::cout << fmt::format("{:9.3f} s  {:5}  {:9}  {}\n",
+                             1e-6 * kTickUs * violation.tick, violation.arm,
+                             NameOf(violation.kind), violation.what);
+  }
+  std::cout << fmt::format("{} violations, {} protective stops in {} ticks\n",
+                           check.violations().size(),
+                           check.num_protective_stops(), log.ticks().size());
+  return check.violations().empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void AddCheck(CLI::App& app, Action* action) {
+  auto run = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Find out whether the arms of a recorded run have kept their limits and "
+      "hit nothing.\n"
+      "Example: cell check runs/sim-0001");
+  command->add_option("run", *run, "run folder")->required();
+  command->callback([=] {
+    *action = [=] {
+      return RunCheck(*run);
+    };
+  });
+}
+
+}  // namespace cell

@@ -1,0 +1,15 @@
+#include "services/cell/commands/commands.h"
+
+namespace cell {
+
+void AddAllCommands(CLI::App& app, Action* action) {
+  for (const auto add :
+       {AddDemo,    AddSim,  AddReplay, AddDiff,   AddEval,    AddView,
+        AddCheck,   AddUp,   AddDown,   AddStatus, AddTop,     AddDoctor,
+        AddEpisode, AddHold, AddResume, AddGoal,   AddPrepare, AddLibrary,
+        AddRecord,  AddLog,  AddSpy,    AddTypes}) {
+    add(app, action);
+  }
+}
+
+}  // namespace cell

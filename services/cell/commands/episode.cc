@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cell/command_episode_t.hpp"
+#include "services/cell/commands/commands.h"
+#include "services/cell/running/operator_port.h"
+
+namespace cell {
+namespace {
+
+struct EpisodeOptions {
+  OperatorOptions port;
+  std::string action = "end";
+  std::string demonstration;
+  int64_t seed = 1;
+};
+
+int CommandEpisode(const EpisodeOptions& options) {
+  OperatorPort port(options.port);
+  command_episode_t command{};
+  command.action = options.action == "start" ? command_episode_t::START
+                                             : command_episode_t::END;
+  command.demonstration = options.demonstration;
+  command.seed = options.seed;
+  port.Send("COMMAND_EPISODE", command);
+  std::cout << fmt::format("asked the clock to {} the episode, by {:.2f} s\n",
+                           options.action,
+                           static_cast<double>(port.deadline_utime()) * 1e-6);
+  return 0;
+}
+
+}  // namespace
+
+void AddEpisode(CLI::App& app, Action* action) {
+  auto options = std::make_shared<EpisodeOptions>();
+  CLI::App* command = app.add_subcommand(
+      "episode",
+      "Begin or end an episode of a cell that runs on this network (a `cell "
+      "demo` has one of its own).\n"
+      "Example: cell episode start --demonstration assembly --seed 3");
+  command->add_option("action", options->action, "start or end")
+      ->required()
+      ->check(CLI::IsMember({"start", "end"}));
+  command->add_option("--demonstration", options->demonstration,
+                      "script of the task, for start");
+  command->add_option("--seed", options->seed)->capture_default_str();
+  AddOperatorOptions(*command, &options->port);
+  command->callback([=] {
+    *action = [=] {
+      return CommandEpisode(*options);
+    };
+  });
+}
+
+}  // namespace cell

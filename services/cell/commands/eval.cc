@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "common/node/cell_files.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/evaluations/evaluation.h"
+#include "services/cell/evaluations/job_pool.h"
+#include "services/cell/evaluations/row_store.h"
+#include "services/cell/running/progress.h"
+
+namespace cell {
+namespace {
+
+using nlohmann::json;
+
+struct EvalOptions {
+  std::shared_ptr<Evaluation> evaluation;
+  std::string deploy_dir;
+  int runs = 0;
+  uint64_t seed = 1;
+  int jobs = 2;
+  std::string json_file;
+  std::string rows_file;
+  bool is_resumed = false;
+  std::string sensing;
+};
+
+std::string KeyOf(const Trial& trial) {
+  return fmt::format("{}/{}", trial.group, trial.seed);
+}
+
+/// The files to run by. What is asked for must be what they say.
+CellFiles FilesFor(const EvalOptions& options) {
+  CellFiles files = FindCellFiles(options.deploy_dir);
+  const Config tracker = files.deployment.ForService("tracker");
+  const auto sensing = tracker.Get<std::string>("sensing");
+  if (!options.sensing.empty() && options.sensing != sensing) {
+    tracker["sensing"].Fail(
+        fmt::format("is {}, but {} is asked for", sensing, options.sensing));
+  }
+  return files;
+}
+
+void RunMissing(const EvalOptions& options, const CellFiles& files,
+                const std::vector<Trial>& trials, RowStore* rows) {
+  std::vector<size_t> missing;
+  for (size_t i = 0; i < trials.size(); ++i) {
+    if (!rows->Has(KeyOf(trials[i]))) missing.push_back(i);
+  }
+  Progress progress;
+  size_t num_done = 0;
+  RunJobs(
+      missing, options.jobs,
+      [&](size_t i) {
+        return options.evaluation
+            ->RunTrial(trials[i], files.deployment, files.roster)
+            .dump();
+      },
+      [&](size_t i, const std::string& result) {
+        ++num_done;
+        json row = json::parse(result, nullptr, false);
+        if (!row.is_object()) {
+          progress.Clear();
+          std::cerr << KeyOf(trials[i]) << ": no result\n";
+          return;
+        }
+        row["group"] = trials[i].group;
+        row["seed"] = trials[i].seed;
+        rows->Append(KeyOf(trials[i]), row);
+        progress.Show(fmt::format("{}/{} runs, {:.0f} s", num_done,
+                                  missing.size(), progress.ElapsedSeconds()));
+      });
+}
+
+json ToJson(const Measure& measure, uint64_t seed) {
+  const Interval interval = measure.interval();
+  return {{"measure", measure.name},
+          {"value", measure.value()},
+          {"low", interval.low},
+          {"high", interval.high},
+          {"paper", measure.paper ? json(*measure.paper) : json()},
+          {"goal", measure.goal},
+          {"met", measure.is_met()},
+          {"runs", measure.num_all},
+          {"seed", seed}};
+}
+
+json ToJson(const Figure& figure, uint64_t seed) {
+  return {{"figure", figure.name},
+          {"value", figure.value},
+          {"unit", figure.unit},
+          {"seed", seed}};
+}
+
+void Print(const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) {
+    std::cout << fmt::format("{:66} {:17.1f} {}\n", figure.name, figure.value,
+                             figure.unit);
+  }
+}
+
+void Print(const std::vector<Measure>& measures) {
+  std::cout << fmt::format("{:66} {:>9} {:>7}  {:15} {:>6} {:>5}\n", "measure",
+                           "of", "value", "95 % interval", "paper", "goal");
+  for (const Measure& m : measures) {
+    const Interval interval = m.interval();
+    std::cout << fmt::format(
+        "{:66} {:>9} {:6.1f} %  {:5.1f} - {:5.1f} % {:>6} {:>3.0f} % {}\n",
+        m.name, fmt::format("{}/{}", m.num_good, m.num_all), 100 * m.value(),
+        100 * interval.low, 100 * interval.high,
+        m.paper ? fmt::format("{:.0f} %", 100 * *m.paper) : "-", 100 * m.goal,
+        m.is_met() ? "met" : "NOT MET");
+  }
+}
+
+int RunEval(const EvalOptions& options) {
+  const CellFiles files = FilesFor(options);
+  const int runs =
+      options.runs > 0 ? options.runs : options.evaluation->default_runs();
+  const auto trials = options.evaluation->Trials(runs, options.seed);
+  const std::string path =
+      options.rows_file.empty()
+          ? fmt::format("runs/eval-{}-seed{}.jsonl", options.evaluation->name(),
+                        options.seed)
+          : options.rows_file;
+  RowStore store(path, options.is_resumed);
+  RunMissing(options, files, trials, &store);
+
+  std::vector<json> rows;
+  for (const Trial& trial : trials) {
+    if (store.Has(KeyOf(trial))) rows.push_back(store.At(KeyOf(trial)));
+  }
+  const auto measures = options.evaluation->Measures(rows);
+  const auto figures = options.evaluation->Figures(rows);
+  Print(measures);
+  Print(figures);
+  bool is_met = rows.size() == trials.size();
+  json report = json::array();
+  for (const Measure& measure : measures) {
+    report.push_back(ToJson(measure, options.seed));
+    is_met &= measure.is_met();
+  }
+  for (const Figure& figure : figures) {
+    report.push_back(ToJson(figure, options.seed));
+  }
+  if (!options.json_file.empty()) {
+    std::ofstream(options.json_file) << report.dump(2) << "\n";
+  }
+  std::cout << fmt::format("rows in {} ({} of {} runs)\n",
+                           store.path().string(), rows.size(), trials.size());
+  return is_met ? 0 : 1;
+}
+
+}  // namespace
+
+void AddEval(CLI::App& app, Action* action) {
+  CLI::App* eval = app.add_subcommand(
+      "eval",
+      "Measure how well the cell does, with intervals, against the goals.\n"
+      "Example: cell eval watch --runs 50 --seed 1 --jobs 2 --json watch.json");
+  eval->require_subcommand(1);
+  for (auto& evaluation : AllEvaluations()) {
+    auto options = std::make_shared<EvalOptions>();
+    options->evaluation = std::move(evaluation);
+    CLI::App* command = eval->add_subcommand(
+        options->evaluation->name(),
+        options->evaluation->description() + "\nExample: cell eval " +
+            options->evaluation->name() + " --runs 10 --seed 1");
+    command->add_option("--deploy", options->deploy_dir,
+                        "folder with config/ and tasks/");
+    command
+        ->add_option("--runs", options->runs,
+                     "runs of the largest group (default: as the goal says)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--seed", options->seed, "of the first run")
+        ->capture_default_str();
+    command->add_option("--jobs", options->jobs, "processes at a time")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    command->add_option("--json", options->json_file,
+                        "write the measures here");
+    command->add_option("--rows", options->rows_file,
+                        "one row a run (default: runs/eval-...)");
+    command->add_flag("--resume", options->is_resumed,
+                      "keep the rows that are there, run the others");
+    command->add_option("--sensing", options->sensing,
+                        "must be what tracker.yaml says (default: that)");
+    command->callback([=] {
+      *action = [=] {
+        return RunEval(*options);
+      };
+    });
+  }
+}
+
+}  // namespace cell

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/node/cell_files.h"
+#include "services/cell/commands/commands.h"
+#include "services/library/content_file.h"
+#include "services/library/memory_action_store.h"
+#include "services/library/open_store.h"
+#include "services/library/record_check.h"
+#include "services/library/sqlite_action_store.h"
+
+namespace cell {
+namespace {
+
+struct LibraryOptions {
+  std::string database;
+  std::string deploy_dir;
+  std::string file;
+  int64_t id = 0;
+};
+
+std::filesystem::path DatabaseOf(const LibraryOptions& options) {
+  const std::filesystem::path path = options.database;
+  return std::filesystem::is_directory(path) ? path / kDatabaseName : path;
+}
+
+SqliteActionStore OpenExisting(const LibraryOptions& options) {
+  return SqliteActionStore(DatabaseOf(options),
+                           SqliteActionStore::Mode::kExisting);
+}
+
+std::string Signature(const ActionRecord& record) {
+  std::vector<std::string> arguments;
+  for (const auto& [name, type] : record.arguments) {
+    arguments.push_back(fmt::format("{}: {}", name, type));
+  }
+  return fmt::format("{}({})", record.name, fmt::join(arguments, ", "));
+}
+
+int List(const LibraryOptions& options) {
+  for (const ActionRecord& record : OpenExisting(options).All()) {
+    std::cout << fmt::format("{:4}  {:56}  {}\n", record.id, Signature(record),
+                             fmt::join(record.agents, ", "));
+  }
+  return 0;
+}
+
+int Show(const LibraryOptions& options) {
+  const auto record = OpenExisting(options).Find(options.id);
+  if (!record) {
+    throw std::runtime_error(
+        fmt::format("{}: no action has the id {}; cell library list shows all",
+                    DatabaseOf(options).string(), options.id));
+  }
+  std::cout << Signature(*record) << "\n";
+  const std::pair<const char*, std::string> entries[] = {
+      {"agents", fmt::format("{}", fmt::join(record->agents, ", "))},
+      {"undoes", record->undoes},
+      {"sec", record->sec},
+      {"rules", record->rules},
+      {"robot", record->robot},
+      {"skill", record->skill},
+      {"skill_settings", record->skill_settings}};
+  for (const auto& [key, text] : entries) {
+    if (text.empty()) continue;
+    std::cout << key << ":\n";
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      std::cout << "  " << line << "\n";
+    }
+  }
+  return 0;
+}
+
+int Export(const LibraryOptions& options) {
+  const std::vector<ActionRecord> records = OpenExisting(options).All();
+  WriteContent(options.file, records);
+  std::cout << fmt::format("{} actions are in {}\n", records.size(),
+                           options.file);
+  return 0;
+}
+
+// Those that are there already, as they are, are passed over.
+std::vector<ActionRecord> NewOnes(const std::vector<ActionRecord>& records,
+                                  const RecordCheck& check,
+                                  MemoryActionStore known,
+                                  const std::string& file) {
+  std::vector<ActionRecord> fresh;
+  for (size_t i = 0; i < records.size(); ++i) {
+    ActionRecord record = records[i];
+    const auto namesake = known.FindNamed(record.name);
+    record.id = namesake ? namesake->id : 0;
+    if (namesake == record) continue;
+    record.id = 0;
+    if (const auto refusal = check.WhyNot(record, known)) {
+      throw std::runtime_error(
+          fmt::format("{}:actions[{}]: {}; nothing was imported", file, i,
+                      refusal->reason));
+    }
+    known.Store({&record, 1}, kBeforeRun);
+    fresh.push_back(std::move(record));
+  }
+  return fresh;
+}
+
+int Import(const LibraryOptions& options) {
+  const auto records = ReadContent(options.file);
+  const auto check =
+      RecordCheck::FromTask(FindCellFiles(options.deploy_dir).deployment);
+  SqliteActionStore store(DatabaseOf(options),
+                          SqliteActionStore::Mode::kCreate);
+  const std::vector<ActionRecord> fresh =
+      NewOnes(records, check, MemoryActionStore(store.All()), options.file);
+  const std::vector<int64_t> ids = store.Store(fresh, kBeforeRun);
+  for (size_t i = 0; i < fresh.size(); ++i) {
+    std::cout << fmt::format("{:4}  {}\n", ids[i], Signature(fresh[i]));
+  }
+  std::cout << fmt::format("{} actions imported, {} were there already\n",
+                           fresh.size(), records.size() - fresh.size());
+  return 0;
+}
+
+}  // namespace
+
+void AddLibrary(CLI::App& app, Action* action) {
+  auto options = std::make_shared<LibraryOptions>();
+  CLI::App* library = app.add_subcommand(
+      "library",
+      "The actions that a cell knows, while no cell runs with them.\n"
+      "Example: cell library list --database runs/demo-0001");
+  library->require_subcommand(1);
+  const auto add = [&](const std::string& name, const std::string& text,
+                       int (*run)(const LibraryOptions&)) {
+    CLI::App* command = library->add_subcommand(name, text);
+    command
+        ->add_option("--database", options->database,
+                     "a library's file, or a run folder that has one")
+        ->required();
+    command->callback([=] {
+      *action = [=] {
+        return run(*options);
+      };
+    });
+    return command;
+  };
+  add("list",
+      "All actions: id, arguments, who can do it.\n"
+      "Example: cell library list --database runs/demo-0001",
+      List);
+  add("show",
+      "One action with its event chain, rules and skill.\n"
+      "Example: cell library show 3 --database runs/demo-0001",
+      Show)
+      ->add_option("id", options->id)
+      ->required();
+  add("export",
+      "Write all actions as JSON.\n"
+      "Example: cell library export actions.json --database library.db",
+      Export)
+      ->add_option("file", options->file, "JSON file")
+      ->required();
+  CLI::App* import = add(
+      "import",
+      "Keep the actions of a JSON file, all or none, each as if a service had "
+      "asked for it.\n"
+      "Example: cell library import actions.json --database library.db",
+      Import);
+  import->add_option("file", options->file, "JSON file")->required();
+  import->add_option("--deploy", options->deploy_dir,
+                     "folder with config/ and tasks/");
+}
+
+}  // namespace cell

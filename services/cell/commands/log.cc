@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "common/bus/live_log.h"
+#include "common/bus/run_log.h"
+#include "common/node/cell_files.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/logs/canonical_log.h"
+#include "services/cell/logs/log_audit.h"
+#include "services/cell/logs/stock_reader.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LogOptions {
+  std::string log;
+  std::string out;
+  bool is_stock = false;
+};
+
+std::vector<fs::path> LogsAt(const std::string& path) {
+  if (!fs::is_directory(path)) return {path};
+  const auto logs = LogsOf(path);
+  if (logs.empty()) throw std::runtime_error(path + ": no *.lcmlog in it");
+  return logs;
+}
+
+// What kind of log it is and how much it holds.
+std::string Summary(const LogIndex& index, const LogAudit& audit) {
+  if (audit.manifests.empty()) {
+    return fmt::format(
+        "{} events, no TICK of this cell's message types among them: whether "
+        "any are lost cannot be told",
+        index.entries.size());
+  }
+  std::string text =
+      fmt::format("{}, {} events, ticks {} to {}",
+                  audit.is_canonical ? "canonical" : "a stock recording",
+                  index.entries.size(), audit.manifests.begin()->first,
+                  audit.manifests.rbegin()->first);
+  if (audit.num_unnamed > 0) {
+    text += fmt::format("; {} that no TICK names (void, repeated or forged)",
+                        audit.num_unnamed);
+  }
+  if (audit.num_unproved > 0) {
+    text += fmt::format("; {} whose TICK is lost", audit.num_unproved);
+  }
+  return text;
+}
+
+void PrintFindings(const LogAudit& audit) {
+  for (const LogFinding& finding : audit.findings) {
+    std::cout << ToString(finding) << "\n";
+  }
+}
+
+// A live cell's log has no manifests, but each sender counts what it says.
+int CheckLive(const LogOptions& options) {
+  const LiveLog log = LiveLog::Load(LogsAt(options.log));
+  const auto problems = log.Problems(FindCellFiles("").roster);
+  for (const std::string& problem : problems) std::cout << problem << "\n";
+  std::cout << fmt::format(
+      "{}: of a live cell, {} lives\n{}\n", options.log, log.lives().size(),
+      problems.empty() ? "whole" : fmt::format("{} findings", problems.size()));
+  return problems.empty() ? 0 : 1;
+}
+
+int RunCheck(const LogOptions& options) {
+  if (LiveLog::IsLive(LogsAt(options.log))) return CheckLive(options);
+  const LogIndex index = ReadLogIndex(LogsAt(options.log));
+  const LogAudit audit = AuditLog(index);
+  PrintFindings(audit);
+  std::cout << fmt::format(
+      "{}: {}\n{}\n", options.log, Summary(index, audit),
+      audit.findings.empty()
+          ? "whole"
+          : fmt::format("{} findings", audit.findings.size()));
+  if (options.is_stock) {
+    for (const fs::path& file : index.files) {
+      const StockReading stock = ReadAsStockToolsDo(file);
+      std::cout << fmt::format(
+          "{}: LCM's own reader returns {} events and {}\n",
+          file.filename().string(), stock.num_events, stock.end);
+    }
+  }
+  return audit.findings.empty() && !audit.manifests.empty() ? 0 : 1;
+}
+
+int RunRepair(const LogOptions& options) {
+  const LogIndex index = ReadLogIndex(LogsAt(options.log));
+  const LogAudit audit = AuditLog(index);
+  PrintFindings(audit);
+  const int64_t num = WriteCanonicalLog(index, audit, options.out);
+  std::cout << fmt::format("{}: {}\n{}: {} events\n", options.log,
+                           Summary(index, audit), options.out, num);
+  return 0;
+}
+
+int RunConvert(const LogOptions& options) {
+  const LogIndex index = ReadLogIndex(LogsAt(options.log));
+  const LogAudit audit = AuditLog(index);
+  PrintFindings(audit);
+  if (audit.manifests.empty()) {
+    throw std::runtime_error(
+        options.log + ": " + Summary(index, audit) +
+        ". Was the whole main port recorded (lcm-logger without --channel)?");
+  }
+  const int64_t num = WriteCanonicalLog(index, audit, options.out);
+  std::cout << fmt::format(
+      "{}: {}\n{}: {} events, {}\n", options.log, Summary(index, audit),
+      options.out, num,
+      audit.findings.empty() ? "complete" : "NOT COMPLETE: see above");
+  return audit.findings.empty() ? 0 : 1;
+}
+
+CLI::App* AddLogCommand(CLI::App& group, const char* name, const char* help,
+                        const std::shared_ptr<LogOptions>& options,
+                        int (*run)(const LogOptions&), Action* action) {
+  CLI::App* command = group.add_subcommand(name, help);
+  command->add_option("log", options->log, "LCM log, or run folder")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command->callback([=] {
+    *action = [=] {
+      return run(*options);
+    };
+  });
+  return command;
+}
+
+}  // namespace
+
+void AddLog(CLI::App& app, Action* action) {
+  CLI::App* group = app.add_subcommand(
+      "log",
+      "Check, repair and convert logs, those of LCM's stock tools too.\n"
+      "Example: cell log check runs/sim-0001");
+  group->require_subcommand(1);
+  const auto options = std::make_shared<LogOptions>();
+  AddLogCommand(*group, "check",
+                "Find all damage, and every message that is lost: held against "
+                "the manifests. Exit code 1 if there is any.\n"
+                "Example: cell log check runs/sim-0001 --stock",
+                options, RunCheck, action)
+      ->add_flag("--stock", options->is_stock,
+                 "say also what LCM's own reader returns");
+  AddLogCommand(*group, "repair",
+                "Save what can be saved of a damaged log.\n"
+                "Example: cell log repair broken.lcmlog --out good.lcmlog",
+                options, RunRepair, action)
+      ->add_option("--out", options->out, "log to write")
+      ->required();
+  AddLogCommand(*group, "convert",
+                "Bring a recording of lcm-logger into the form that `cell` "
+                "writes. Exit code 1 if it lacks messages, which are named.\n"
+                "Example: cell log convert lcmlog-2024-05-01.00 --out "
+                "run/cell-0001.lcmlog",
+                options, RunConvert, action)
+      ->add_option("--out", options->out, "log to write")
+      ->required();
+}
+
+}  // namespace cell

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "common/bus/live_state.h"
+#include "common/node/cell_files.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/running/run_folder.h"
+
+namespace cell {
+namespace {
+
+struct PrepareOptions {
+  std::string deploy_dir;
+  std::string state_dir;
+  std::string demonstration;
+  uint64_t seed = 1;
+  bool has_cameras = false;
+};
+
+int Prepare(const PrepareOptions& options) {
+  LiveState(options.state_dir).Forget();
+  const std::filesystem::path runs =
+      std::filesystem::path(options.state_dir) / "runs";
+  RunFolder run =
+      RunFolder::Create(FreeRunFolder(runs, "live").string(), "live",
+                        FindCellFiles(options.deploy_dir).deployment,
+                        options.demonstration, options.seed);
+  if (options.has_cameras) run.TakePart("cameras");
+  PointTo(run.path, runs / "current");
+  std::cout << "the session is recorded in " << run.path.string() << "\n";
+  return 0;
+}
+
+}  // namespace
+
+void AddPrepare(CLI::App& app, Action* action) {
+  auto options = std::make_shared<PrepareOptions>();
+  CLI::App* command = app.add_subcommand(
+      "prepare",
+      "Begin a session of a live cell that does not run yet: ticks from 0, and "
+      "a new folder for its logs, STATE_DIR/runs/current. `cell up` does it."
+      "\nExample: cell prepare --state-dir /var/lib/cell --seed 7");
+  command->add_option("--state-dir", options->state_dir, "of the live cell")
+      ->required();
+  command->add_option("--deploy", options->deploy_dir,
+                      "folder with config/ and tasks/");
+  command->add_option("--demonstration", options->demonstration,
+                      "script that the testbed begins with");
+  command->add_option("--seed", options->seed)->capture_default_str();
+  command->add_flag("--cameras", options->has_cameras,
+                    "the camera sets take part");
+  command->callback([=] {
+    *action = [=] {
+      return Prepare(*options);
+    };
+  });
+}
+
+}  // namespace cell

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "common/bus/lcm_port.h"
+#include "common/bus/run_log.h"
+#include "common/node/cell_files.h"
+#include "common/node/run_service.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/running/progress.h"
+#include "services/cell/running/run_folder.h"
+#include "services/cell/running/traffic.h"
+#include "services/recorder/rotating_log.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RecordOptions {
+  std::string url = "udpm://239.255.76.67:7667";
+  std::string deploy_dir;
+  std::string out;
+  double duration_s = 0;
+};
+
+fs::path FolderFor(const std::string& out) {
+  const fs::path folder =
+      out.empty() ? FreeRunFolder("runs", "record") : fs::path(out);
+  fs::create_directories(folder);
+  if (!LogsOf(folder).empty()) {
+    throw std::runtime_error(folder.string() +
+                             ": has logs already; choose another --out");
+  }
+  return folder;
+}
+
+// Everything that members of the cell say, as it comes.
+class Recording {
+ public:
+  Recording(const RecordOptions& options, const CellFiles& files)
+      : folder_(FolderFor(options.out)),
+        log_(folder_, RotatingLog::ParamsFromConfig(
+                          files.deployment.ForService("recorder"))),
+        traffic_(files.roster.entries.size()),
+        port_(LcmAddress::Parse(options.url).MainUrl()) {
+    port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
+      const auto message = MessageFromWire(channel, std::move(bytes));
+      if (!message) return traffic_.HearForeign();
+      traffic_.Hear(*message);
+      messages_.push_back(*message);
+    });
+  }
+
+  /// @throws std::runtime_error, e.g. when the disk is full.
+  void Run(double duration_s, const std::atomic<bool>& stop) {
+    constexpr int kWaitMs = 50;
+    while (!stop && (duration_s == 0 || clock_.ElapsedSeconds() < duration_s)) {
+      WaitForAny({&port_}, kWaitMs);
+      port_.Drain();
+      num_messages_ += messages_.size();
+      const auto failure = log_.Append(std::exchange(messages_, {}));
+      if (failure) throw std::runtime_error(*failure);
+    }
+  }
+
+  /// Says what there is; 1 if nothing, or not all, was heard.
+  int Finish() {
+    const Traffic::Report report = traffic_.Take(clock_.ElapsedSeconds());
+    int64_t num_lost = 0;
+    for (const Traffic::Channel& channel : report.channels) {
+      if (channel.num_lost == 0) continue;
+      num_lost += channel.num_lost;
+      std::cout << fmt::format("{}: {} lost\n", channel.name, channel.num_lost);
+    }
+    std::cout << fmt::format(
+        "{}: {} messages of {} channels in {:.1f} s, {} lost, {} of no member "
+        "of the cell left out\n",
+        folder_.string(), num_messages_, report.channels.size(),
+        clock_.ElapsedSeconds(), num_lost, report.num_foreign);
+    if (num_messages_ > 0) return num_lost > 0 ? 1 : 0;
+    std::cout << "no cell was heard: does it run on this network? See `cell "
+                 "status` and docs/operating.md\n";
+    return 1;
+  }
+
+ private:
+  fs::path folder_;
+  RotatingLog log_;
+  Traffic traffic_;
+  LcmPort port_;
+  Progress clock_;
+  std::vector<Message> messages_;
+  size_t num_messages_ = 0;
+};
+
+int RunRecord(const RecordOptions& options) {
+  Recording recording(options, FindCellFiles(options.deploy_dir));
+  recording.Run(options.duration_s, StopOnSignals());
+  return recording.Finish();
+}
+
+}  // namespace
+
+void AddRecord(CLI::App& app, Action* action) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command = app.add_subcommand(
+      "record",
+      "Record a cell that runs on this network, beside its own recorder, until "
+      "Ctrl-C. Exit code 1 if a message was lost.\n"
+      "Example: cell record --seconds 10 --out glimpse");
+  command->add_option("--url", options->url)->capture_default_str();
+  command->add_option("--deploy", options->deploy_dir,
+                      "folder with config/ and tasks/");
+  command->add_option("--out", options->out,
+                      "folder of the logs (default: runs/record-...)");
+  command->add_option("--seconds", options->duration_s, "end after so many")
+      ->check(CLI::Range(0.1, 86400.));
+  command->callback([=] {
+    *action = [=] {
+      return RunRecord(*options);
+    };
+  });
+}
+
+}  // namespace cell

@@ -1,0 +1,158 @@
+#include "common/bus/replay.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "common/bus/live_log.h"
+#include "common/bus/live_replay.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/running/narrator.h"
+#include "services/cell/running/run_folder.h"
+#include "services/cell/running/service_registry.h"
+
+namespace cell {
+namespace {
+
+struct ReplayOptions {
+  std::string run;
+  std::vector<std::string> services;
+  bool is_check = false;
+};
+
+void Tell(const Message& message, Narrator* narrator) {
+  for (const std::string& line : narrator->Tell(message)) {
+    std::cout << line << "\n";
+  }
+}
+
+// Recomputes the services that `names` names, all if it is empty, and says how
+// each went; `replay_of` gives the line for one, and whether it is well.
+template <class ReplayOf>
+int CheckServices(const RunFolder& run, std::vector<std::string> names,
+                  const ReplayOf& replay_of) {
+  if (names.empty()) {
+    for (const auto& entry : run.roster.entries) names.push_back(entry.name);
+  }
+  int num_different = 0;
+  for (const std::string& name : names) {
+    run.roster.RequireIndexOf(name);
+    std::cout << fmt::format("{:20} ", name) << std::flush;
+    const auto factories =
+        AllServices(run.deployment, run.demonstration, run.seed);
+    const auto [is_well, line] = replay_of(name, factories.at(name));
+    if (!is_well) ++num_different;
+    std::cout << line << std::endl;
+  }
+  return num_different == 0 ? 0 : 1;
+}
+
+std::pair<bool, std::string> ReplayOne(const RunFolder& run, const RunLog& log,
+                                       const std::string& name,
+                                       const ServiceFactory& factory) {
+  const ReplayResult result = Replay(log, run.roster, name, factory);
+  if (result.difference) return {false, "DIFFERENT: " + *result.difference};
+  std::string line =
+      fmt::format("{} messages, byte-identical", result.num_messages);
+  if (result.gap_after) {
+    line += fmt::format(" up to the gap after tick {}", *result.gap_after);
+  }
+  return {true, line};
+}
+
+std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
+                                           const LiveLog& log,
+                                           const std::string& name,
+                                           const ServiceFactory& factory) {
+  const LiveReplayResult result = ReplayLive(log, run.roster, name, factory);
+  if (result.difference) return {false, "DIFFERENT: " + *result.difference};
+  if (result.num_lives == 0) return {true, "keeps no journal in this log"};
+  std::string line = fmt::format("{} messages of {} lives, byte-identical",
+                                 result.num_messages, result.num_lives);
+  if (result.num_unrecorded > 0) {
+    line += fmt::format("; {} more that the log lacks", result.num_unrecorded);
+  }
+  for (const std::string& gap : result.gaps) line += "; up to " + gap;
+  for (const std::string& skipped : result.skipped) {
+    line += "; not replayed: " + skipped;
+  }
+  return {result.gaps.empty(), line};
+}
+
+// The first ones; all are counted.
+void Report(const std::vector<std::string>& lines, const char* prefix) {
+  constexpr size_t kMaxLines = 20;
+  for (size_t i = 0; i < std::min(lines.size(), kMaxLines); ++i) {
+    std::cerr << prefix << lines[i] << "\n";
+  }
+  if (lines.size() <= kMaxLines) return;
+  std::cerr << fmt::format("{}... and {} more\n", prefix,
+                           lines.size() - kMaxLines);
+}
+
+int ReplayLiveRun(const ReplayOptions& options, const RunFolder& run) {
+  const LiveLog log = LiveLog::Load(options.run);
+  const auto problems = log.Problems(run.roster);
+  Report(problems, "log: ");
+  if (!options.is_check) {
+    Narrator narrator;
+    for (const Message* message : log.InOrder()) Tell(*message, &narrator);
+    return problems.empty() ? 0 : 1;
+  }
+  Report(log.LateMessages(run.roster), "late: ");
+  const int result = CheckServices(
+      run, options.services,
+      [&](const std::string& name, const ServiceFactory& factory) {
+        return ReplayOneLive(run, log, name, factory);
+      });
+  return problems.empty() ? result : 1;
+}
+
+int RunReplay(const ReplayOptions& options) {
+  const RunFolder run = RunFolder::Open(options.run);
+  if (LiveLog::IsLive(LogsOf(options.run))) return ReplayLiveRun(options, run);
+  const RunLog log = RunLog::Load(options.run);
+  for (const std::string& problem : log.problems()) {
+    std::cerr << "log: " << problem << "\n";
+  }
+  if (!options.is_check) {
+    Narrator narrator;
+    for (const auto& [k, tick] : log.ticks()) {
+      for (const Message& message : tick.messages) Tell(message, &narrator);
+    }
+    return log.problems().empty() ? 0 : 1;
+  }
+  const int result = CheckServices(
+      run, options.services,
+      [&](const std::string& name, const ServiceFactory& factory) {
+        return ReplayOne(run, log, name, factory);
+      });
+  return log.problems().empty() ? result : 1;
+}
+
+}  // namespace
+
+void AddReplay(CLI::App& app, Action* action) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = app.add_subcommand(
+      "replay",
+      "Tell a recorded run again, or recompute every service's outputs from "
+      "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
+  command->add_option("run", options->run, "run folder")->required();
+  CLI::Option* check = command->add_flag("--check", options->is_check,
+                                         "recompute and compare byte for byte");
+  command
+      ->add_option("--service", options->services,
+                   "only this one (may be repeated)")
+      ->needs(check);
+  command->callback([=] {
+    *action = [=] {
+      return RunReplay(*options);
+    };
+  });
+}
+
+}  // namespace cell

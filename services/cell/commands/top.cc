@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "common/bus/lcm_port.h"
+#include "common/node/cell_files.h"
+#include "common/node/run_service.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/running/progress.h"
+#include "services/cell/running/traffic.h"
+
+namespace cell {
+namespace {
+
+struct TopOptions {
+  std::string url = "udpm://239.255.76.67:7667";
+  std::string deploy_dir;
+  double period_s = 1;
+  int num_reports = 0;
+};
+
+void Print(const Traffic::Report& report) {
+  std::cout << fmt::format("{:24} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
+                           "CPU %", "MB", "lost", "late", "strangers");
+  for (const Traffic::Process& p : report.processes) {
+    std::cout << fmt::format("{:24} {:6.1f} {:8.1f} {:7} {:7} {:9}\n", p.name,
+                             100 * p.processor,
+                             static_cast<double>(p.resident_bytes) / (1 << 20),
+                             p.num_lost, p.num_late, p.num_strangers);
+  }
+  std::cout << fmt::format("\n{:24} {:>8} {:>10} {:>7} {:>9}\n", "channel",
+                           "Hz", "KB/s", "lost", "rejected");
+  for (const Traffic::Channel& c : report.channels) {
+    std::cout << fmt::format("{:24} {:8.1f} {:10.1f} {:7} {:9}\n", c.name,
+                             c.rate_hz, c.bytes_per_s / 1024, c.num_lost,
+                             c.num_rejected);
+  }
+  std::cout << fmt::format("\nof no member of the cell: {}\n",
+                           report.num_foreign)
+            << std::flush;
+}
+
+int RunTop(const TopOptions& options) {
+  const LcmAddress address = LcmAddress::Parse(options.url);
+  Traffic traffic(FindCellFiles(options.deploy_dir).roster.entries.size());
+  LcmPort main(address.MainUrl());
+  LcmPort control(address.ControlUrl());
+  main.Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
+    const auto message = MessageFromWire(channel, std::move(bytes));
+    if (!message) return traffic.HearForeign();
+    if (channel == kStatusChannel) {
+      if (const auto status = Decode<status_t>(*message)) traffic.Hear(*status);
+    }
+    traffic.Hear(*message);
+  });
+  control.Subscribe(
+      kHealthChannel, [&](const std::string& channel, Bytes bytes) {
+        const auto message = MessageFromWire(channel, std::move(bytes));
+        const auto health = message ? Decode<health_t>(*message) : std::nullopt;
+        health ? traffic.Hear(*health) : traffic.HearForeign();
+      });
+  const auto& stop = StopOnSignals();
+  const Progress clock;
+  const bool is_terminal = isatty(STDOUT_FILENO) != 0;
+  double begin = 0;
+  for (int i = 0;
+       !stop && (options.num_reports == 0 || i < options.num_reports); ++i) {
+    const double end = begin + options.period_s;
+    while (!stop && clock.ElapsedSeconds() < end) {
+      const double left_s = end - clock.ElapsedSeconds();
+      constexpr double kMaxWaitMs = 50;
+      WaitForAny(
+          {&main, &control},
+          static_cast<int>(std::ceil(std::min(1e3 * left_s, kMaxWaitMs))));
+      main.Drain();
+      control.Drain();
+    }
+    const double now = clock.ElapsedSeconds();
+    if (is_terminal) std::cout << "\x1b[H\x1b[2J";
+    Print(traffic.Take(now - begin));
+    begin = now;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void AddTop(CLI::App& app, Action* action) {
+  auto options = std::make_shared<TopOptions>();
+  CLI::App* command = app.add_subcommand(
+      "top",
+      "Watch a cell that runs: each service's processor time, memory and "
+      "losses, each channel's rate, bytes, gaps and rejected messages.\n"
+      "Example: cell top --period 2 --reports 1");
+  command->add_option("--url", options->url)->capture_default_str();
+  command->add_option("--deploy", options->deploy_dir,
+                      "folder with config/ and tasks/");
+  command->add_option("--period", options->period_s, "[s]")
+      ->check(CLI::Range(0.1, 60.))
+      ->capture_default_str();
+  command->add_option("--reports", options->num_reports,
+                      "end after so many; 0: until Ctrl-C");
+  command->callback([=] {
+    *action = [=] {
+      return RunTop(*options);
+    };
+  });
+}
+
+}  // namespace cell

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "common/bus/bus.h"
+#include "common/bus/event_log.h"
+#include "common/bus/run_log.h"
+#include "common/imaging/png_file.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/pictures/frame_picture.h"
+#include "services/cell/pictures/scene_picture.h"
+#include "services/cell/running/run_folder.h"
+
+namespace cell {
+namespace {
+
+struct ViewOptions {
+  std::string run;
+  std::string out = "scene.png";
+  std::optional<double> at_s;
+  std::string camera;
+  bool is_of_depth = false;
+  Viewpoint viewpoint;
+};
+
+double Seconds(int64_t utime) {
+  return static_cast<double>(utime) * 1e-6;
+}
+
+// The last message of the channel that was measured at or before the wished
+// moment.
+template <BusMessage M>
+M MessageAt(const RunFolder& run, const std::string& channel,
+            std::optional<double> at_s) {
+  std::optional<M> last;
+  for (const auto& log : LogsOf(run.path)) {
+    EventLogReader reader(log);
+    reader.Finish();
+    while (auto event = reader.Next()) {
+      if (event->channel != channel) continue;
+      const auto message =
+          MessageFromWire(event->channel, std::move(event->bytes));
+      auto decoded = message ? Decode<M>(*message) : std::nullopt;
+      if (!decoded) continue;
+      if (at_s && Seconds(decoded->header.utime) > *at_s && last) return *last;
+      last = std::move(decoded);
+    }
+  }
+  if (!last) throw std::runtime_error("the log holds no " + channel);
+  return *last;
+}
+
+int ViewScene(const RunFolder& run, const ViewOptions& options) {
+  const auto poses = MessageAt<truth_poses_t>(run, "TRUTH_POSES", options.at_s);
+  const auto num_pixels =
+      DrawScene(run.deployment, poses, options.viewpoint, options.out);
+  for (const auto& [name, num] : num_pixels) {
+    std::cout << fmt::format("{:24} {:7} pixels\n", name, num);
+  }
+  std::cout << fmt::format("{} shows {:.2f} s\n", options.out,
+                           Seconds(poses.header.utime));
+  return 0;
+}
+
+int ViewFrame(const RunFolder& run, const ViewOptions& options) {
+  const std::string channel = "FRAME_" + options.camera;
+  const auto message = MessageAt<rgbd_frame_t>(run, channel, options.at_s);
+  const auto frame = FrameFromMessage(message);
+  if (!frame) {
+    throw std::runtime_error(fmt::format("{} at {:.2f} s cannot be decoded",
+                                         channel,
+                                         Seconds(message.header.utime)));
+  }
+  WritePng(options.out,
+           options.is_of_depth ? GreyOfDepth(frame->depth) : frame->colour);
+  std::cout << fmt::format("{} shows what camera {} saw at {:.2f} s\n",
+                           options.out, options.camera, Seconds(frame->utime));
+  return 0;
+}
+
+int RunView(const ViewOptions& options) {
+  const RunFolder run = RunFolder::Open(options.run);
+  return options.camera.empty() ? ViewScene(run, options)
+                                : ViewFrame(run, options);
+}
+
+}  // namespace
+
+void AddView(CLI::App& app, Action* action) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = app.add_subcommand(
+      "view",
+      "Draw any moment of a recorded run, and count each body's pixels; or "
+      "show what a camera took.\n"
+      "Example: cell view runs/demo-0001 --at 20 --out scene.png");
+  command->add_option("run", options->run, "run folder")->required();
+  command->add_option("--at", options->at_s, "[s] moment (default: the last)");
+  command->add_option("--out", options->out, "PNG file")->capture_default_str();
+  command->add_flag("--ids", options->viewpoint.is_of_ids,
+                    "every body in a colour of its own");
+  CLI::Option* camera =
+      command->add_option("--camera", options->camera,
+                          "the frame that this camera set took, e.g. 1");
+  command
+      ->add_flag("--depth", options->is_of_depth,
+                 "its depth as grey: near is bright")
+      ->needs(camera);
+  command
+      ->add_option("--azimuth", options->viewpoint.azimuth_deg,
+                   "[deg] of the camera about the vertical")
+      ->capture_default_str();
+  command
+      ->add_option("--elevation", options->viewpoint.elevation_deg,
+                   "[deg] of the camera above the table")
+      ->check(CLI::Range(1.0, 89.0))
+      ->capture_default_str();
+  command
+      ->add_option("--distance", options->viewpoint.distance,
+                   "[m] of the camera")
+      ->check(CLI::Range(0.1, 10.0))
+      ->capture_default_str();
+  command->callback([=] {
+    *action = [=] {
+      return RunView(*options);
+    };
+  });
+}
+
+}  // namespace cell

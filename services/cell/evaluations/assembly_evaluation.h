@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "services/cell/evaluations/evaluation.h"
+
+namespace cell {
+
+/// The cell assembles by itself (sections VIII and IX): what is seated, what is
+/// turned home, what breaks, and how the arms behave.
+std::unique_ptr<Evaluation> MakeAssemblyEvaluation();
+
+}  // namespace cell

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cell/execution_t.hpp"
+#include "common/bus/message.h"
+#include "common/parts/part_table.h"
+#include "services/cell/evaluations/assembly_score.h"
+#include "services/cell/evaluations/pose_looks.h"
+#include "services/vtb/script.h"
+
+namespace cell {
+
+/// How a cell that assembles by itself fares. Reads ground truth, so no service
+/// may use it.
+class AssemblyObserver {
+ public:
+  struct Record {
+    std::optional<execution_t> execution;  ///< the last
+    int num_requests = 0;                  ///< of skills
+    int num_refused = 0, num_failed = 0, num_stopped = 0, num_yielded = 0;
+    double peak_force = 0;  ///< [N] of all skills
+    /// Sites whose part was seated, and was not any more after a later step;
+    /// each time that it was seen.
+    std::vector<std::string> broken;
+    std::set<std::string> touched;  ///< parts that a person put somewhere
+    int64_t last_utime = 0;
+  };
+
+  /// Both must outlive this object.
+  AssemblyObserver(const PartTable& parts, const DemonstratorBook& book)
+      : parts_(parts), book_(book) {}
+
+  /// Messages in canonical order. Those that do not decode are passed over.
+  void Put(const Message& message);
+  const Record& record() const { return record_; }
+  /// By the last looks. Nothing before there have been enough.
+  std::optional<AssemblyScore> Score() const;
+
+ private:
+  void OnResult(const Message& message);
+  void OnPoses(truth_poses_t poses);
+  void CompareWithEarlier();
+
+  const PartTable& parts_;
+  const DemonstratorBook& book_;
+  Record record_;
+  std::set<int64_t> inserts_;  // ids of requests
+  PoseLooks looks_;
+  bool is_to_compare_ = false;    // with the next look
+  std::set<std::string> seated_;  // sites, as of the last comparison
+};
+
+}  // namespace cell

@@ -1,0 +1,123 @@
+#include "services/cell/evaluations/assembly_row.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "services/cell/evaluations/assembly_observer.h"
+#include "services/cell/motion/motion_check.h"
+#include "services/cell/running/service_registry.h"
+#include "services/cell/running/sim_run.h"
+
+namespace cell {
+namespace {
+
+using nlohmann::json;
+
+/// Placements, and parts to be turned home: how many of how many.
+void AddScore(const AssemblyScore& score, const PartTable& parts, json* row) {
+  const auto num_with_thread = [&](const std::vector<std::string>& sites) {
+    return std::ranges::count_if(sites, [&](const std::string& site) {
+      return parts.FindThread(parts.FindSite(site)->type) != nullptr;
+    });
+  };
+  const auto turned = num_with_thread(score.seated);
+  const auto unturned = num_with_thread(score.missing);
+  const auto seated = std::ssize(score.seated) - turned;
+  (*row)["placements_seated"] = seated;
+  (*row)["placements"] = seated + std::ssize(score.missing) - unturned;
+  (*row)["turned_home"] = turned;
+  (*row)["turned"] = turned + unturned;
+  (*row)["complete"] = score.is_complete();
+  (*row)["missing"] = score.missing;
+}
+
+void AddRecord(const AssemblyObserver::Record& record, json* row) {
+  static const std::map<int, const char*> kStates = {
+      {execution_t::RUNNING, "running"},
+      {execution_t::DONE, "done"},
+      {execution_t::STUCK, "stuck"}};
+  const auto& execution = record.execution;
+  (*row)["state"] = execution ? kStates.at(execution->state) : "none";
+  (*row)["text"] = execution ? execution->text : "";
+  (*row)["requests"] = record.num_requests;
+  (*row)["refused"] = record.num_refused;
+  (*row)["failed"] = record.num_failed;
+  (*row)["stopped"] = record.num_stopped;
+  (*row)["yielded"] = record.num_yielded;
+  (*row)["peak_force"] = record.peak_force;
+  (*row)["broken"] = record.broken;
+  (*row)["seconds"] = 1e-6 * static_cast<double>(record.last_utime);
+}
+
+/// Parts that a person touched, and parts that the cell's last words name.
+void AddParts(const AssemblyObserver::Record& record, const PartTable& parts,
+              json* row) {
+  std::string words = record.execution ? record.execution->text : "";
+  std::ranges::replace_if(
+      words, [](char c) { return !std::isalnum(c) && c != '_'; }, ' ');
+  std::istringstream stream(words);
+  std::set<std::string> named;
+  for (std::string word; stream >> word;) {
+    if (parts.Find(word) != nullptr) named.insert(word);
+  }
+  (*row)["touched"] = record.touched;
+  (*row)["named"] = named;
+}
+
+void AddViolations(const MotionCheck& check, json* row) {
+  using Kind = Violation::Kind;
+  json& numbers = (*row)["violations"];
+  for (const Kind kind : {Kind::kPosition, Kind::kSpeed, Kind::kSetpoint,
+                          Kind::kWorkspace, Kind::kCollision}) {
+    numbers[NameOf(kind)] =
+        std::ranges::count(check.violations(), kind, &Violation::kind);
+  }
+  json& found = (*row)["found"] = json::array();
+  for (const Violation& violation : check.violations()) {
+    found.push_back({{"tick", violation.tick},
+                     {"arm", violation.arm},
+                     {"kind", NameOf(violation.kind)},
+                     {"what", violation.what}});
+  }
+  (*row)["protective_stops"] = check.num_protective_stops();
+}
+
+}  // namespace
+
+json RunAssembly(const std::string& script, uint64_t seed,
+                 const Deployment& deployment, const Roster& roster) {
+  const PartTable parts =
+      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const auto book = DemonstratorBook::FromConfig(
+      deployment.OfTask("demonstrators.yaml"), parts);
+  AssemblyObserver observer(parts, book);
+  MotionCheck check(CellLayout::FromConfig(deployment.OfTask("cell.yaml")),
+                    parts);
+  SimBus bus(roster, AllServices(deployment, script, seed));
+  RunToEnd(bus, [&](const Message& message) {
+    observer.Put(message);
+    check.Put(message);
+  });
+  json row;
+  AddScore(observer.Score().value(), parts, &row);
+  AddRecord(observer.record(), &row);
+  AddParts(observer.record(), parts, &row);
+  AddViolations(check, &row);
+  return row;
+}
+
+bool HasKeptLimits(const json& row) {
+  for (const auto& [kind, num] : row.at("violations").items()) {
+    if (kind != NameOf(Violation::Kind::kCollision) && num > 0) return false;
+  }
+  return true;
+}
+
+bool HasHitNothing(const json& row) {
+  return row.at("violations").at(NameOf(Violation::Kind::kCollision)) == 0;
+}
+
+}  // namespace cell

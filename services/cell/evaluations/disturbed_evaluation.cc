@@ -1,0 +1,97 @@
+#include "services/cell/evaluations/disturbed_evaluation.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "services/cell/evaluations/assembly_row.h"
+#include "services/cell/evaluations/row_measures.h"
+
+namespace cell {
+namespace {
+
+using nlohmann::json;
+
+constexpr char kSolvable[] = "solvable", kUnsolvable[] = "unsolvable";
+constexpr double kUnsolvableShare = 0.25;  // of the number of solvable runs
+
+// Scripts of the task's demonstrators.yaml, taken in turn.
+const std::vector<std::string>& ScriptsOf(const std::string& group) {
+  static const std::vector<std::string> solvable = {
+      "execution_moved", "execution_returned", "execution_placed",
+      "execution_to_the_left"};
+  static const std::vector<std::string> unsolvable = {"execution_out_of_reach",
+                                                      "execution_taken"};
+  return group == kSolvable ? solvable : unsolvable;
+}
+
+bool IsDisturbed(const json& row) {
+  return !row.at("touched").empty();
+}
+
+bool IsWhole(const json& row) {
+  return row.at("complete") && row.at("state") == "done";
+}
+
+bool AsksForWhatIsMissing(const json& row) {
+  return row.at("state") == "stuck" && row.at("named") == row.at("touched");
+}
+
+class DisturbedEvaluation final : public Evaluation {
+ public:
+  std::string name() const override { return "disturbed"; }
+  std::string description() const override {
+    return "Let the arms assemble while a person moves, takes and places "
+           "parts.";
+  }
+  int default_runs() const override { return 24; }
+
+  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
+    std::vector<Trial> trials;
+    const auto add = [&](const char* group, int num) {
+      for (int i = 0; i < num; ++i) {
+        trials.push_back({group, seed + static_cast<uint64_t>(i)});
+      }
+    };
+    add(kSolvable, runs);
+    add(kUnsolvable,
+        std::max(2, static_cast<int>(runs * kUnsolvableShare + 0.5)));
+    return trials;
+  }
+
+  json RunTrial(const Trial& trial, const Deployment& deployment,
+                const Roster& roster) const override {
+    const auto& scripts = ScriptsOf(trial.group);
+    const std::string& script = scripts[trial.seed % scripts.size()];
+    json row = RunAssembly(script, trial.seed, deployment, roster);
+    row["script"] = script;
+    return row;
+  }
+
+  std::vector<Measure> Measures(const std::vector<json>& rows) const override {
+    std::vector<Measure> measures = {
+        RunsOf(rows, kSolvable, "runs in which a person did disturb",
+               IsDisturbed),
+        RunsOf(rows, kSolvable, "runs assembled to the end", IsWhole),
+        RunsOf(rows, kUnsolvable, "runs in which a person did disturb",
+               IsDisturbed),
+        RunsOf(rows, kUnsolvable,
+               "runs that end in a question for just the missing part",
+               AsksForWhatIsMissing)};
+    for (const char* group : {kSolvable, kUnsolvable}) {
+      measures.push_back(RunsOf(rows, group, "runs without a breach of limits",
+                                HasKeptLimits));
+      measures.push_back(
+          RunsOf(rows, group, "runs without a collision", HasHitNothing));
+    }
+    return measures;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Evaluation> MakeDisturbedEvaluation() {
+  return std::make_unique<DisturbedEvaluation>();
+}
+
+}  // namespace cell

@@ -1,0 +1,19 @@
+#include "services/cell/evaluations/evaluation.h"
+
+#include "services/cell/evaluations/assembly_evaluation.h"
+#include "services/cell/evaluations/disturbed_evaluation.h"
+#include "services/cell/evaluations/insertion_evaluation.h"
+#include "services/cell/evaluations/watch_evaluation.h"
+
+namespace cell {
+
+std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
+  std::vector<std::unique_ptr<Evaluation>> all;
+  all.push_back(MakeWatchEvaluation());
+  all.push_back(MakeAssemblyEvaluation());
+  all.push_back(MakeDisturbedEvaluation());
+  all.push_back(MakeInsertionEvaluation());
+  return all;
+}
+
+}  // namespace cell

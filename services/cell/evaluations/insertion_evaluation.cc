@@ -1,0 +1,196 @@
+#include "services/cell/evaluations/insertion_evaluation.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "cell/skill_request_t.hpp"
+#include "services/cell/evaluations/assembly_observer.h"
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/evaluations/row_measures.h"
+#include "services/cell/evaluations/skill_driver.h"
+#include "services/cell/running/service_registry.h"
+#include "services/cell/running/sim_run.h"
+#include "services/robot_arm/robot_arm.h"
+
+namespace cell {
+namespace {
+
+using nlohmann::json;
+
+constexpr char kScript[] = "execution";  // of the task's demonstrators.yaml
+constexpr char kSearch[] = "search", kNoSearch[] = "no_search";
+constexpr double kAimOffset = 0.002;                  // [m]
+constexpr double kAimAngle = std::numbers::pi / 180;  // [rad]
+
+struct Task {
+  explicit Task(const Deployment& deployment)
+      : parts(PartTable::FromConfig(deployment.OfTask("parts.yaml"))),
+        layout(CellLayout::FromConfig(deployment.OfTask("cell.yaml"))),
+        book(DemonstratorBook::FromConfig(
+            deployment.OfTask("demonstrators.yaml"), parts)) {}
+  PartTable parts;
+  CellLayout layout;
+  DemonstratorBook book;
+};
+
+/// Those that can be tried alone: nothing must be in place before. Each with
+/// the part that goes there.
+std::vector<SkillDriver::Wish> Insertions(const Task& task) {
+  std::vector<SkillDriver::Wish> wishes;
+  for (const auto& [name, rule] : task.book.rules) {
+    if (!rule.after.empty()) continue;
+    const auto part =
+        std::ranges::find(task.parts.parts(), rule.part_type, &Part::type);
+    for (const Part& host : task.parts.parts()) {
+      for (const Site& site : host.sites) {
+        if (site.type != rule.site_type) continue;
+        wishes.push_back({"", skill_request_t::INSERT, part->name, site.name});
+      }
+    }
+  }
+  if (wishes.empty()) throw std::runtime_error("no insertion stands alone");
+  return wishes;
+}
+
+SkillDriver::Params DriverFor(const Task& task, uint64_t seed) {
+  const auto insertions = Insertions(task);
+  SkillDriver::Params params;
+  params.wishes = {insertions[seed % insertions.size()]};
+  for (const ArmLayout& arm : task.layout.arms) {
+    (arm.X_FS ? params.wishes.front().arm : params.helper) = arm.name;
+  }
+  return params;
+}
+
+/// Testbed, tracker and arms, with a driver instead of those that decide.
+Roster RosterOf(const Roster& whole) {
+  Roster roster;
+  roster.task = whole.task;
+  for (const auto& entry : whole.entries) {
+    if (entry.name == "vtb" || entry.name == "tracker" ||
+        entry.name.starts_with("robot_arm@")) {
+      roster.entries.push_back(entry);
+    }
+  }
+  roster.entries.push_back({"driver"});
+  return roster;
+}
+
+std::map<std::string, ServiceFactory> Services(
+    const Deployment& deployment, const Task& task, const Trial& trial,
+    const SkillDriver::Params& driver) {
+  auto services = AllServices(deployment, kScript, trial.seed);
+  services["driver"] = [driver](Bus& bus) {
+    return std::make_unique<SkillDriver>(bus, driver);
+  };
+  SkillSettings settings =
+      SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
+  settings.aim_error = {kAimOffset, kAimAngle, trial.seed};
+  for (auto& [type, seating] : settings.seatings) {
+    seating.insertion.is_searching = trial.group == kSearch;
+  }
+  for (const ArmLayout& arm : task.layout.arms) {
+    const RobotArm::Params params{{arm.name, task.layout, task.parts, settings},
+                                  Cast(task.parts, task.layout)};
+    services["robot_arm@" + arm.name] = [params](Bus& bus) {
+      return std::make_unique<RobotArm>(bus, params);
+    };
+  }
+  return services;
+}
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half]
+                           : (values[half - 1] + values[half]) / 2;
+}
+
+class InsertionEvaluation final : public Evaluation {
+ public:
+  std::string name() const override { return "insertion"; }
+  std::string description() const override {
+    return "Insert single parts with an aim that is 2 mm and 1 degree off.";
+  }
+  int default_runs() const override { return 20; }
+
+  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
+    std::vector<Trial> trials;
+    for (const char* group : {kSearch, kNoSearch}) {
+      for (int i = 0; i < runs; ++i) {
+        trials.push_back({group, seed + static_cast<uint64_t>(i)});
+      }
+    }
+    return trials;
+  }
+
+  json RunTrial(const Trial& trial, const Deployment& deployment,
+                const Roster& roster) const override {
+    const Task task(deployment);
+    const SkillDriver::Params driver = DriverFor(task, trial.seed);
+    AssemblyObserver observer(task.parts, task.book);
+    std::optional<skill_result_t> result;
+    SimBus bus(RosterOf(roster), Services(deployment, task, trial, driver));
+    RunToEnd(bus, [&](const Message& message) {
+      observer.Put(message);
+      if (message.channel == "SKILL_RESULT") {
+        result = Decode<skill_result_t>(message);
+      }
+    });
+    const SkillDriver::Wish& wish = driver.wishes.front();
+    const Eigen::Isometry3d X_SE =
+        AimError{kAimOffset, kAimAngle, trial.seed}.Of(result ? result->id : 0);
+    const AssemblyScore score = observer.Score().value();
+    return {
+        {"part", wish.part},
+        {"site", wish.site},
+        {"seated", std::ranges::count(score.seated, wish.site) > 0},
+        {"succeeded", result && result->outcome == skill_result_t::SUCCEEDED},
+        {"reason", result ? result->reason : "no result"},
+        {"requests", observer.record().num_requests},
+        {"peak_force", observer.record().peak_force},
+        {"aim_error_mm", 1e3 * X_SE.translation().norm()},
+        {"aim_error_deg",
+         Eigen::AngleAxisd(X_SE.linear()).angle() * 180 / std::numbers::pi},
+        {"seconds", 1e-6 * static_cast<double>(observer.record().last_utime)}};
+  }
+
+  std::vector<Measure> Measures(const std::vector<json>& rows) const override {
+    const auto is_inserted = [](const json& row) {
+      return row.at("seated").get<bool>() && row.at("succeeded").get<bool>();
+    };
+    std::vector<Measure> measures = {
+        RunsOf(rows, kSearch, "parts seated, and known to be", is_inserted),
+        RunsOf(rows, kNoSearch, "parts seated, and known to be", is_inserted),
+    };
+    measures.back().goal = 0;  // for comparison
+    return measures;
+  }
+
+  std::vector<Figure> Figures(const std::vector<json>& rows) const override {
+    std::vector<Figure> figures;
+    for (const char* group : {kSearch, kNoSearch}) {
+      std::vector<double> forces;
+      for (const json& row : rows) {
+        if (row.at("group") == group) forces.push_back(row.at("peak_force"));
+      }
+      if (forces.empty()) continue;
+      const std::string of = std::string(group) + ": peak force, ";
+      figures.push_back({of + "median", Median(forces), "N"});
+      figures.push_back({of + "highest", std::ranges::max(forces), "N"});
+    }
+    return figures;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Evaluation> MakeInsertionEvaluation() {
+  return std::make_unique<InsertionEvaluation>();
+}
+
+}  // namespace cell

@@ -1,0 +1,71 @@
+#include "services/cell/evaluations/skill_driver.h"
+
+#include <utility>
+
+#include "cell/execution_t.hpp"
+#include "cell/motion_permit_t.hpp"
+#include "cell/skill_request_t.hpp"
+
+namespace cell {
+namespace {
+
+constexpr int32_t kFirstTick = 60;  // tracks have come, the arms have spoken
+constexpr int64_t kPermitUs = 5 * kTickUs;
+constexpr int64_t kDeadlineUs = 1'000'000;
+
+}  // namespace
+
+SkillDriver::SkillDriver(Bus& bus, const Params& params)
+    : bus_(bus), params_(params) {
+  bus.Subscribe<skill_result_t>("SKILL_RESULT",
+                                [this](const auto& m) { OnResult(m); });
+  bus.Every(1, 0, [this] { OnTick(); });
+}
+
+void SkillDriver::OnResult(const skill_result_t& result) {
+  if (result.id != id_) return;
+  is_waiting_ = false;
+  if (result.outcome != skill_result_t::REFUSED ||
+      wish_.skill != skill_request_t::INSERT || params_.helper.empty() ||
+      std::exchange(has_helped_, true)) {
+    return;
+  }
+  params_.wishes.push_front(wish_);
+  params_.wishes.push_front(
+      {params_.helper, skill_request_t::PRESENT, wish_.part, ""});
+}
+
+void SkillDriver::OnTick() {
+  motion_permit_t permit{};
+  permit.header.utime = bus_.now();
+  permit.until_utime = bus_.now() + kPermitUs;
+  permit.mode = motion_permit_t::EXECUTE;
+  bus_.Publish("MOTION_PERMIT", permit);
+  if (bus_.tick() < kFirstTick || is_waiting_) return;
+  if (!params_.wishes.empty()) {
+    const Wish wish = params_.wishes.front();
+    params_.wishes.pop_front();
+    return Ask(wish);
+  }
+  if (std::exchange(is_done_, true)) return;
+  execution_t done{};
+  done.header.utime = bus_.now();
+  done.state = execution_t::DONE;
+  bus_.Publish("EXECUTION", done);
+}
+
+void SkillDriver::Ask(const Wish& wish) {
+  wish_ = wish;
+  is_waiting_ = true;
+  skill_request_t request{};
+  request.header.utime = bus_.now();
+  request.id = ++id_;
+  request.deadline_utime = bus_.now() + kDeadlineUs;
+  request.arm = wish.arm;
+  request.skill = wish.skill;
+  request.part = wish.part;
+  request.site = wish.site;
+  bus_.Publish("SKILL_REQUEST", request);
+}
+
+}  // namespace cell

@@ -1,0 +1,18 @@
+#include "services/cell/logs/log_finding.h"
+
+#include <fmt/format.h>
+
+namespace cell {
+
+std::string ToString(const LogFinding& finding) {
+  std::string text;
+  if (!finding.file.empty()) {
+    text += fmt::format("{} byte {} ({} bytes): ", finding.file, finding.offset,
+                        finding.length);
+  }
+  if (finding.tick >= 0) text += fmt::format("tick {}: ", finding.tick);
+  if (!finding.channel.empty()) text += finding.channel + ": ";
+  return text + finding.text;
+}
+
+}  // namespace cell

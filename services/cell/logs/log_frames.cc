@@ -1,0 +1,90 @@
+#include "services/cell/logs/log_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include "common/bus/bus.h"
+
+namespace cell {
+namespace {
+
+// Which events a damage has cost, by the numbers of its neighbours.
+std::string NumbersLostAt(const LogIndex& index,
+                          const LogIndex::Damage& damage) {
+  const auto& entries = index.entries;
+  const auto next = std::partition_point(
+      entries.begin(), entries.end(), [&](const LogEntry& entry) {
+        return std::tie(entry.file, entry.offset) <
+               std::tie(damage.file, damage.offset);
+      });
+  const bool has_before =
+      next != entries.begin() && (next - 1)->file == damage.file;
+  const int64_t from = has_before ? (next - 1)->number + 1 : 0;
+  if (next == entries.end() || next->file != damage.file) {
+    return fmt::format("; event {} and what may follow are lost", from);
+  }
+  if (next->number == from) return "";  // the event before is cut short
+  if (next->number == from + 1) return fmt::format("; event {} is lost", from);
+  return fmt::format("; events {} to {} are lost", from, next->number - 1);
+}
+
+void FindOddNumbers(const LogIndex& index, std::vector<LogFinding>* findings) {
+  int64_t expected = 0;
+  int64_t end = 0;  // [bytes] of the entry before
+  for (size_t i = 0; i < index.entries.size(); ++i) {
+    const LogEntry& entry = index.entries[i];
+    if (i > 0 && index.entries[i - 1].file != entry.file) expected = end = 0;
+    const bool is_after_damage = entry.offset != end;
+    if (is_after_damage) expected = std::max(expected, entry.number);
+    if (entry.number != expected) {
+      findings->push_back(
+          FindingAt(index, i,
+                    fmt::format("its number is {}, should be {}", entry.number,
+                                expected)));
+    }
+    ++expected;
+    end = entry.offset + entry.size;
+  }
+}
+
+}  // namespace
+
+LogFinding FindingAt(const LogIndex& index, size_t entry, std::string text) {
+  const LogEntry& at = index.entries[entry];
+  return {index.files[at.file].filename().string(),
+          at.offset,
+          at.size,
+          at.message.tick,
+          at.message.channel,
+          std::move(text)};
+}
+
+std::vector<LogFinding> FindOddFrames(const LogIndex& index,
+                                      bool is_canonical) {
+  std::vector<LogFinding> findings;
+  for (const auto& damage : index.damages) {
+    findings.push_back(
+        {index.files[damage.file].filename().string(), damage.offset,
+         damage.length, -1, "",
+         "no whole event begins here" + NumbersLostAt(index, damage)});
+  }
+  if (!is_canonical) return findings;
+  FindOddNumbers(index, &findings);
+  for (size_t i = 0; i < index.entries.size(); ++i) {
+    const LogEntry& entry = index.entries[i];
+    const int64_t utime = int64_t{entry.message.tick} * kTickUs;
+    if (!entry.is_short && entry.utime != utime) {
+      findings.push_back(
+          FindingAt(index, i,
+                    fmt::format("its stamp is {} us, its tick's is {} us",
+                                entry.utime, utime)));
+    }
+  }
+  return findings;
+}
+
+}  // namespace cell

@@ -1,0 +1,121 @@
+#include "services/cell/motion/motion_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cell/episode_t.hpp"
+#include "services/cell/evaluations/episode_observer.h"
+
+namespace cell {
+
+MotionCheck::MotionCheck(const CellLayout& layout, const PartTable& parts)
+    : collisions_(layout, parts) {
+  for (const ArmLayout& arm : layout.arms) {
+    limits_.emplace(arm.name, LimitCheck(arm));
+    activities_[arm.name];
+    const std::string suffix = ChannelSuffix(arm.name);
+    handlers_["ARM_STATE_" + suffix] = [this, arm = arm.name](const auto& m) {
+      OnState(arm, m);
+    };
+    handlers_["ARM_SETPOINT_" + suffix] = [this,
+                                           arm = arm.name](const auto& m) {
+      OnSetpoint(arm, m);
+    };
+    handlers_["ARM_REPORT_" + suffix] = [this, arm = arm.name](const auto& m) {
+      OnReport(arm, m);
+    };
+  }
+  handlers_["SKILL_REQUEST"] = [this](const auto& m) {
+    OnRequest(m);
+  };
+  handlers_["TRUTH_POSES"] = [this](const auto& m) {
+    OnPoses(m);
+  };
+  handlers_["EPISODE"] = [this](const auto& m) {
+    OnEpisode(m);
+  };
+}
+
+void MotionCheck::Put(const Message& message) {
+  const auto handler = handlers_.find(message.channel);
+  if (handler != handlers_.end()) handler->second(message);
+}
+
+void MotionCheck::OnState(const std::string& arm, const Message& message) {
+  const auto state = Decode<arm_state_t>(message);
+  if (!state) return;
+  constexpr double kStill = 0.01;  // [rad/s]
+  is_moving_[arm] = !std::ranges::all_of(state->velocity, [](double velocity) {
+    return std::abs(velocity) < kStill;
+  });
+  for (auto& breach : limits_.at(arm).Take(*state)) {
+    Add(arm, message.tick, std::move(breach));
+  }
+}
+
+void MotionCheck::OnSetpoint(const std::string& arm, const Message& message) {
+  const auto setpoint = Decode<arm_setpoint_t>(message);
+  if (!setpoint) return;
+  for (auto& breach : limits_.at(arm).Take(*setpoint)) {
+    Add(arm, message.tick, std::move(breach));
+  }
+}
+
+void MotionCheck::OnReport(const std::string& arm, const Message& message) {
+  if (const auto report = Decode<arm_report_t>(message)) {
+    activities_.at(arm).Take(*report);
+  }
+}
+
+void MotionCheck::OnRequest(const Message& message) {
+  const auto request = Decode<skill_request_t>(message);
+  if (!request) return;
+  const auto activity = activities_.find(request->arm);
+  if (activity != activities_.end()) activity->second.Take(*request);
+}
+
+void MotionCheck::OnPoses(const Message& message) {
+  const auto poses = Decode<truth_poses_t>(message);
+  if (!poses) return;
+  for (const auto& touch : collisions_.Look(*poses, activities_)) {
+    if (touch.is_by_person && !is_moving_[touch.arm]) continue;
+    Add(touch.arm, message.tick,
+        {Violation::Kind::kCollision, touch.first,
+         fmt::format("touches {}", touch.second)});
+  }
+}
+
+/// Everything is put back to where it begins.
+void MotionCheck::OnEpisode(const Message& message) {
+  const auto episode = Decode<episode_t>(message);
+  if (!episode || episode->phase != episode_t::START) return;
+  for (auto& [arm, limits] : limits_) limits.Restart();
+  for (auto& [arm, activity] : activities_) activity = {};
+}
+
+void MotionCheck::Add(const std::string& arm, int32_t tick,
+                      LimitCheck::Breach breach) {
+  const ArmActivity& activity = activities_.at(arm);
+  const bool is_collision = breach.kind == Violation::Kind::kCollision;
+  const std::string subject =
+      is_collision ? breach.subject + " " + breach.value : breach.subject;
+  if (!known_.emplace(arm, activity.skill(), breach.kind, subject).second) {
+    return;
+  }
+  std::string what = breach.subject + " " + breach.value;
+  if (activity.skill() >= 0) {
+    what += fmt::format(", skill {}: {}", activity.skill(), activity.phase());
+  }
+  violations_.push_back({tick, arm, breach.kind, std::move(what)});
+}
+
+int MotionCheck::num_protective_stops() const {
+  int num = 0;
+  for (const auto& [arm, limits] : limits_) num += limits.num_stops();
+  return num;
+}
+
+}  // namespace cell

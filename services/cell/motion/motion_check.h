@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "common/bus/message.h"
+#include "common/layout/cell_layout.h"
+#include "common/parts/part_table.h"
+#include "services/cell/motion/arm_activity.h"
+#include "services/cell/motion/collision_check.h"
+#include "services/cell/motion/limit_check.h"
+#include "services/cell/motion/violation.h"
+
+namespace cell {
+
+/// Whether the arms of a run have kept their limits and hit nothing, from its
+/// messages. An arm that stands still has not hit what a person's hand brings
+/// against it. Reads ground truth, so no service may use it.
+class MotionCheck {
+ public:
+  MotionCheck(const CellLayout& layout, const PartTable& parts);
+  MotionCheck(const MotionCheck&) = delete;
+  MotionCheck& operator=(const MotionCheck&) = delete;
+
+  /// Messages as they were published: in each tick the clock's, then the
+  /// services'. Those that do not decode are passed over.
+  void Put(const Message& message);
+
+  /// As they were found; each pair of bodies, or each joint, once a skill.
+  const std::vector<Violation>& violations() const { return violations_; }
+  int num_protective_stops() const;
+
+ private:
+  void OnState(const std::string& arm, const Message& message);
+  void OnSetpoint(const std::string& arm, const Message& message);
+  void OnReport(const std::string& arm, const Message& message);
+  void OnRequest(const Message& message);
+  void OnPoses(const Message& message);
+  void OnEpisode(const Message& message);
+  void Add(const std::string& arm, int32_t tick, LimitCheck::Breach breach);
+
+  std::map<std::string, std::function<void(const Message&)>> handlers_;
+  std::map<std::string, LimitCheck> limits_;       // by arm
+  std::map<std::string, ArmActivity> activities_;  // by arm
+  std::map<std::string, bool> is_moving_;          // by arm
+  CollisionCheck collisions_;
+  /// Arm, skill, kind and subject of what has been found.
+  std::set<std::tuple<std::string, int64_t, Violation::Kind, std::string>>
+      known_;
+  std::vector<Violation> violations_;
+};
+
+}  // namespace cell

@@ -1,0 +1,117 @@
+#include "services/cell/running/run_folder.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+
+Deployment DeploymentIn(const fs::path& run, const std::string& task) {
+  return {.config_dir = run / "deploy" / "config",
+          .task_dir = run / "deploy" / "tasks" / task,
+          .types_dir = run / "lcmtypes",
+          .run_dir = run};
+}
+
+}  // namespace
+
+fs::path FreeRunFolder(const fs::path& runs, const std::string& kind) {
+  for (int number = 1;; ++number) {
+    fs::path path = runs / fmt::format("{}-{:04}", kind, number);
+    if (!fs::exists(path)) return path;
+  }
+}
+
+void PointTo(const fs::path& run, const fs::path& link) {
+  const fs::path next = link.string() + ".next";
+  fs::remove(next);
+  fs::create_symlink(run.filename(), next);
+  fs::rename(next, link);
+}
+
+RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
+                            const Deployment& source,
+                            const std::string& demonstration, uint64_t seed) {
+  RunFolder run;
+  run.path = path.empty() ? FreeRunFolder("runs", kind) : fs::path(path);
+  if (fs::exists(run.path) && !fs::is_empty(run.path)) {
+    throw std::runtime_error(run.path.string() +
+                             ": exists and is not empty; choose another --out");
+  }
+  const std::string task = source.task_dir.filename().string();
+  run.deployment = DeploymentIn(run.path, task);
+  fs::create_directories(run.deployment.task_dir.parent_path());
+  constexpr auto kDeep = fs::copy_options::recursive;
+  fs::copy(source.config_dir, run.deployment.config_dir, kDeep);
+  fs::copy(source.task_dir, run.deployment.task_dir, kDeep);
+  if (fs::is_directory(source.types_dir)) {
+    fs::create_directories(run.deployment.types_dir);
+    for (const auto& entry : fs::directory_iterator(source.types_dir)) {
+      if (entry.path().extension() == ".lcm") {
+        fs::copy(entry.path(), run.deployment.types_dir);
+      }
+    }
+  }
+  run.demonstration = demonstration;
+  run.seed = seed;
+  run.roster = Roster::FromConfig(
+      Config::Load(run.deployment.config_dir / "roster.yaml"));
+  std::ofstream file(run.path / "run.yaml");
+  file << "task: " << task << "\ndemonstration: \"" << demonstration
+       << "\"\nseed: " << seed << "\n";
+  if (!file.flush()) {
+    throw std::runtime_error(run.path.string() + ": cannot be written");
+  }
+  return run;
+}
+
+void RunFolder::TakePart(const std::string& option) {
+  const fs::path file = deployment.config_dir / "roster.yaml";
+  YAML::Node node = YAML::LoadFile(file.string());
+  bool is_any = false;
+  for (YAML::Node entry : node["services"]) {
+    if (!entry["option"] || entry["option"].as<std::string>() != option) {
+      continue;
+    }
+    entry.remove("option");
+    is_any = true;
+  }
+  const Config config = Config::Load(file.string());
+  if (!is_any) {
+    config["services"].Fail("has no service with the option " + option);
+  }
+  std::ofstream(file) << node << "\n";
+  roster = Roster::FromConfig(Config::Load(file.string()));
+}
+
+void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
+  const fs::path file = deployment.config_dir / "planner.yaml";
+  YAML::Node planner = YAML::LoadFile(file.string());
+  planner["execution"]["help_steps"] = actions;
+  std::ofstream(file) << planner << "\n";
+}
+
+RunFolder RunFolder::Open(const std::string& path) {
+  RunFolder run;
+  run.path = path;
+  if (!fs::is_directory(run.path)) {
+    throw std::runtime_error(path + ": is not a run folder");
+  }
+  const Config config = Config::Load(run.path / "run.yaml");
+  run.deployment = DeploymentIn(run.path, config.Get<std::string>("task"));
+  run.deployment.run_dir.clear();  // reading must not write
+  run.deployment.repeated_dir = run.path;
+  run.demonstration = config.Get<std::string>("demonstration");
+  run.seed = config.Get<uint64_t>("seed");
+  config.Finish();
+  run.roster = Roster::FromConfig(
+      Config::Load(run.deployment.config_dir / "roster.yaml"));
+  return run;
+}
+
+}  // namespace cell

@@ -1,0 +1,40 @@
+#include "services/cell/running/run_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "common/node/cell_files.h"
+
+namespace cell {
+
+void RunOptions::AddTo(CLI::App& command) {
+  command.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
+  command.add_option("--demonstration", demonstration,
+                     "script of the task's demonstrators.yaml");
+  command.add_option("--seed", seed, "where all chance comes from")
+      ->capture_default_str();
+  command.add_option("--out", out, "run folder (default: runs/...)");
+  command
+      .add_option("--help-steps", help_steps,
+                  "actions of the robot that it leaves to the person beside "
+                  "it, as in the task's domain")
+      ->delimiter(',');
+  command.add_flag("--cameras", has_cameras,
+                   "with the camera sets: their pictures reach the log");
+  command.add_flag("--hash", is_hash,
+                   "print nothing but one digest per channel");
+}
+
+RunFolder RunOptions::CreateFolder(const std::string& kind) const {
+  const CellFiles files = FindCellFiles(deploy_dir);
+  std::string episodes = demonstration;
+  if (!help_steps.empty() && episodes.empty()) {
+    episodes = "assembly+execution_helped";
+  }
+  RunFolder run =
+      RunFolder::Create(out, kind, files.deployment, episodes, seed);
+  if (!help_steps.empty()) run.LeaveToPerson(help_steps);
+  if (has_cameras) run.TakePart("cameras");
+  return run;
+}
+
+}  // namespace cell

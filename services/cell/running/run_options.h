@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "services/cell/running/run_folder.h"
+
+namespace CLI {
+class App;
+}
+
+namespace cell {
+
+/// What `cell demo` and `cell sim` are asked for alike.
+struct RunOptions {
+  std::string deploy_dir;
+  std::string demonstration;
+  uint64_t seed = 1;
+  std::string out;
+  bool has_cameras = false;
+  bool is_hash = false;
+  std::vector<std::string> help_steps;
+
+  void AddTo(CLI::App& command);
+  /// @param kind begins the folder's name if none is given.
+  RunFolder CreateFolder(const std::string& kind) const;
+};
+
+}  // namespace cell

@@ -1,0 +1,151 @@
+#include "services/cell/running/run_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+#include <optional>
+
+#include "common/bus/bus.h"
+#include "services/cell/evaluations/assembly_score.h"
+#include "services/cell/evaluations/episode_score.h"
+#include "services/cell/pictures/scene_picture.h"
+
+namespace cell {
+namespace {
+
+double SimSeconds(int32_t tick) {
+  return tick * kTickUs * 1e-6;
+}
+
+std::string TellWatched(const EpisodeRecord& record) {
+  const EpisodeScore score = Score(record);
+  return fmt::format(
+      "recognised {}/{} steps, {} taken back, {} moved, {} invented\n"
+      "plan: {}",
+      score.num_steps_recognised, score.num_steps, score.num_take_backs_named,
+      score.num_moves_named, score.num_invented,
+      score.is_goal_reached ? "the last state is the goal"
+                            : "the goal is not reached");
+}
+
+// Why the robot has not done all, from what it said last.
+std::string WhyNot(const EpisodeRecord& record) {
+  if (record.execution && record.execution->state == execution_t::STUCK) {
+    return "it asks: " + record.execution->text;
+  }
+  for (auto it = record.results.rbegin(); it != record.results.rend(); ++it) {
+    if (it->outcome != skill_result_t::SUCCEEDED) return it->reason;
+  }
+  return "nobody knows why";
+}
+
+std::string TellExecuted(const EpisodeRecord& record, const PartTable& parts,
+                         const DemonstratorBook& book) {
+  if (!record.looks.has_both()) return "nothing was done";
+  const AssemblyScore score =
+      ScoreAssembly(record.looks.earlier(), record.looks.last(), parts, book);
+  // Sites with a thread, and others: seated, all.
+  int num[2][2] = {};
+  for (const bool is_seated : {true, false}) {
+    for (const auto& site : is_seated ? score.seated : score.missing) {
+      const bool is_thread =
+          parts.FindThread(parts.FindSite(site)->type) != nullptr;
+      num[is_thread][0] += is_seated;
+      ++num[is_thread][1];
+    }
+  }
+  std::string text =
+      fmt::format("assembled {}/{} placements", num[0][0], num[0][1]);
+  if (num[1][1] > 0) {
+    text += fmt::format(", screwed {}/{}", num[1][0], num[1][1]);
+  }
+  if (score.is_complete()) return text + ": nothing is missing";
+  return fmt::format("{}; missing {}\nwhy: {}", text,
+                     fmt::join(score.missing, ", "), WhyNot(record));
+}
+
+}  // namespace
+
+RunReport::RunReport(const RunFolder& run, bool is_hash)
+    : run_(run), is_hash_(is_hash), follower_(run.path) {}
+
+void RunReport::Follow() {
+  while (const auto message = follower_.Next()) {
+    tick_ = message->tick;
+    observer_.Put(*message);
+    if (message->channel == kTickChannel) {
+      if (const auto tick = Decode<tick_t>(*message)) digests_.Put(*tick);
+    }
+    if (is_hash_) continue;
+    for (const std::string& line : narrator_.Tell(*message)) Say(line);
+  }
+  const double elapsed = progress_.ElapsedSeconds();
+  progress_.Show(
+      fmt::format("{:.1f} s simulated, {:.1f} x real time, {} "
+                  "actions seen",
+                  SimSeconds(tick_), SimSeconds(tick_) / elapsed,
+                  observer_.record().actions.size()));
+}
+
+std::string RunReport::DrawPicture(const EpisodeRecord& record,
+                                   const std::string& name) const {
+  if (record.looks.is_empty()) return "none: the log has no poses";
+  const auto path = run_.path / name;
+  const auto num_pixels =
+      DrawScene(run_.deployment, record.looks.last(), {}, path);
+  // Hands and arms are named with a dot, "<hand>.<box>".
+  std::string least;
+  int least_pixels = 0;
+  for (const body_pose_t& body : record.looks.last().bodies) {
+    if (body.name.find('.') != std::string::npos) continue;
+    const auto it = num_pixels.find(body.name);
+    const int num = it == num_pixels.end() ? 0 : it->second;
+    if (!least.empty() && num >= least_pixels) continue;
+    least = body.name;
+    least_pixels = num;
+  }
+  return fmt::format("{} (least to be seen of {}: {} pixels)", path.string(),
+                     least, least_pixels);
+}
+
+void RunReport::Say(const std::string& line) {
+  progress_.Clear();
+  (is_hash_ ? std::cerr : std::cout) << line << std::endl;
+}
+
+int RunReport::Finish() {
+  Follow();
+  progress_.Clear();
+  const int result = observer_.record().has_ended ? 0 : 1;
+  if (is_hash_) {
+    for (const std::string& line : digests_.Lines()) std::cout << line << "\n";
+    std::cout << std::flush;
+    return result;
+  }
+  const PartTable parts =
+      PartTable::FromConfig(run_.deployment.OfTask("parts.yaml"));
+  const DemonstratorBook book = DemonstratorBook::FromConfig(
+      run_.deployment.OfTask("demonstrators.yaml"), parts);
+  int number = 0;
+  for (const EpisodeRecord& record : observer_.records()) {
+    std::cout << fmt::format("\nepisode {}, {}:\n", ++number,
+                             record.episode.demonstration);
+    std::cout << (record.episode.agent == "robot"
+                      ? TellExecuted(record, parts, book)
+                      : TellWatched(record))
+              << "\n";
+    std::cout << "picture "
+              << DrawPicture(record, fmt::format("episode-{}.png", number))
+              << "\n";
+  }
+  const double elapsed = progress_.ElapsedSeconds();
+  std::cout << fmt::format(
+      "\n{:.1f} s simulated in {:.1f} s: {:.1f} x real time\n",
+      SimSeconds(tick_), elapsed, SimSeconds(tick_) / elapsed);
+  std::cout << "log     " << (run_.path / "cell-0001.lcmlog").string()
+            << std::endl;
+  return result;
+}
+
+}  // namespace cell

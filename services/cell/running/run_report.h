@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/logs/channel_digests.h"
+#include "services/cell/logs/log_follower.h"
+#include "services/cell/running/narrator.h"
+#include "services/cell/running/progress.h"
+#include "services/cell/running/run_folder.h"
+
+namespace cell {
+
+/// Tells on the terminal what a run does, from its log as it grows, and sums it
+/// up. With `is_hash` it says nothing but the digests of the channels.
+class RunReport {
+ public:
+  RunReport(const RunFolder& run, bool is_hash);
+
+  /// Tells what has been written since the last call.
+  void Follow();
+  /// A word from the launcher, between the lines.
+  void Say(const std::string& line);
+  /// Sums up, draws the end of each episode into the run folder.
+  /// @return 0 if the last episode came to its end.
+  int Finish();
+
+ private:
+  std::string DrawPicture(const EpisodeRecord& record,
+                          const std::string& name) const;
+
+  const RunFolder& run_;
+  bool is_hash_;
+  LogFollower follower_;
+  Narrator narrator_;
+  EpisodeObserver observer_;
+  ChannelDigests digests_;
+  Progress progress_;
+  int32_t tick_ = 0;
+};
+
+}  // namespace cell

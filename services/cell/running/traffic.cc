@@ -1,0 +1,90 @@
+#include "services/cell/running/traffic.h"
+
+#include <utility>
+
+namespace cell {
+namespace {
+
+/// More channels or services than any cell has are somebody's forgeries.
+constexpr size_t kMaxNames = 1000;
+
+constexpr char kRejected[] = "rejected:";
+
+int64_t SumOf(const health_t& health, const std::string& prefix) {
+  int64_t sum = 0;
+  for (const counter_t& counter : health.counters) {
+    if (counter.name.starts_with(prefix)) sum += counter.value;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void Traffic::Hear(const Message& message) {
+  if (counts_.size() >= kMaxNames && !counts_.contains(message.channel)) {
+    ++num_foreign_;
+    return;
+  }
+  arrivals_.Take(message);
+  Count& count = counts_[message.channel];
+  ++count.messages;
+  count.bytes += static_cast<int64_t>(message.bytes->size());
+}
+
+void Traffic::Hear(const health_t& health) {
+  if (health_.size() >= kMaxNames && !health_.contains(health.service)) return;
+  Health& known = health_[health.service];
+  // A new life counts from 0.
+  const bool is_new = known.cpu_us_before < 0 ||
+                      health.header.sender != known.last.header.sender;
+  if (is_new) known.cpu_us_before = health.cpu_us;
+  known.last = health;
+}
+
+void Traffic::Hear(const status_t& status) {
+  if (rejected_.size() >= kMaxNames && !rejected_.contains(status.service)) {
+    return;
+  }
+  std::map<std::string, int64_t>& by_channel = rejected_[status.service];
+  by_channel.clear();
+  for (const counter_t& counter : status.counters) {
+    if (!counter.name.starts_with(kRejected)) continue;
+    by_channel[counter.name.substr(sizeof(kRejected) - 1)] = counter.value;
+  }
+}
+
+Traffic::Report Traffic::Take(double seconds) {
+  Report report;
+  std::map<std::string, int64_t> rejected;
+  for (const auto& [service, by_channel] : rejected_) {
+    for (const auto& [channel, count] : by_channel) rejected[channel] += count;
+  }
+  for (const auto& [channel, count] : rejected) counts_[channel];
+  for (auto& [name, count] : counts_) {
+    Channel& channel = report.channels.emplace_back();
+    channel.name = name;
+    channel.rate_hz = static_cast<double>(count.messages) / seconds;
+    channel.bytes_per_s = static_cast<double>(count.bytes) / seconds;
+    const auto lost = arrivals_.num_lost().find(name);
+    if (lost != arrivals_.num_lost().end()) channel.num_lost = lost->second;
+    channel.num_rejected = rejected[name];
+    count = {};
+  }
+  for (auto& [name, health] : health_) {
+    const health_t& last = health.last;
+    report.processes.push_back(
+        {.name = name,
+         .processor = 1e-6 *
+                      static_cast<double>(last.cpu_us - health.cpu_us_before) /
+                      seconds,
+         .resident_bytes = last.resident_bytes,
+         .num_lost = SumOf(last, "lost:"),
+         .num_late = SumOf(last, "late:"),
+         .num_strangers = last.num_strangers});
+    health.cpu_us_before = last.cpu_us;
+  }
+  report.num_foreign = num_foreign_ + arrivals_.num_strangers();
+  return report;
+}
+
+}  // namespace cell
