@@ -78,29 +78,28 @@ class ArmScene::Query {
   explicit Query(const ClearanceRule& rule)
       : rule_(rule), clearance_(std::max(rule.clearance, kMinClearance)) {}
 
-  std::optional<std::string> AgainstTable(const Posed& body) const {
+  std::optional<BodyPair> AgainstTable(const Posed& body) const {
     if (body.p_W.z() - body.solid->radius >= clearance_ ||
         body.solid->shape.LowestZ(body.X_WO) >= clearance_ ||
         IsAllowed([](const std::string& name) { return name == kTable; },
                   *body.solid)) {
       return std::nullopt;
     }
-    return fmt::format("{} would hit the table", body.solid->name);
+    return BodyPair{body.solid->name, kTable};
   }
 
-  std::optional<std::string> Against(const Posed& body,
+  std::optional<BodyPair> Against(const Posed& body, const Posed& other) const {
+    return PairOf(body, other, clearance_);
+  }
+
+  std::optional<BodyPair> AgainstOwn(const Posed& body,
                                      const Posed& other) const {
-    return WhyTooNear(body, other, clearance_);
-  }
-
-  std::optional<std::string> AgainstOwn(const Posed& body,
-                                        const Posed& other) const {
-    return WhyTooNear(body, other, std::min(clearance_, kSelfClearance));
+    return PairOf(body, other, std::min(clearance_, kSelfClearance));
   }
 
  private:
-  std::optional<std::string> WhyTooNear(const Posed& a, const Posed& b,
-                                        double clearance) const {
+  std::optional<BodyPair> PairOf(const Posed& a, const Posed& b,
+                                 double clearance) const {
     const double between = a.solid->radius + b.solid->radius + clearance;
     if ((a.p_W - b.p_W).squaredNorm() >= between * between) return std::nullopt;
     if (!AreNear(a, b, clearance) ||
@@ -109,7 +108,7 @@ class ArmScene::Query {
             *b.solid)) {
       return std::nullopt;
     }
-    return fmt::format("{} would hit {}", a.solid->name, b.solid->name);
+    return BodyPair{a.solid->name, b.solid->name};
   }
 
   static bool AreNear(const Posed& a, const Posed& b, double clearance) {
@@ -271,6 +270,15 @@ double ArmScene::DistanceTo(const PointCloud& points,
 std::optional<std::string> ArmScene::WhyBlocked(
     const std::string& arm, const ArmPosture& posture,
     const ClearanceRule& rule) const {
+  const auto pair = FindTooNear(arm, posture, rule);
+  if (!pair) return std::nullopt;
+  return fmt::format("{} would hit {}{}", pair->first,
+                     pair->second == kTable ? "the " : "", pair->second);
+}
+
+std::optional<BodyPair> ArmScene::FindTooNear(const std::string& arm,
+                                              const ArmPosture& posture,
+                                              const ClearanceRule& rule) const {
   const size_t index = ArmIndex(arm);
   const std::vector<Posed> own =
       BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
@@ -278,14 +286,14 @@ std::optional<std::string> ArmScene::WhyBlocked(
   const Query query(rule);
   // What is farthest out is most likely in the way.
   for (size_t i = own.size(); i-- > kFirstLinkBody;) {
-    if (auto why = query.AgainstTable(own[i])) return why;
+    if (auto pair = query.AgainstTable(own[i])) return pair;
     for (const Posed& obstacle : obstacles) {
-      if (auto why = query.Against(own[i], obstacle)) return why;
+      if (auto pair = query.Against(own[i], obstacle)) return pair;
     }
     // What is held goes with the hand as the hand's boxes do.
     for (size_t j = 0; j < std::min(i, kNumArmBodies); ++j) {
       if (!MayCollide(j, i)) continue;
-      if (auto why = query.AgainstOwn(own[i], own[j])) return why;
+      if (auto pair = query.AgainstOwn(own[i], own[j])) return pair;
     }
   }
   return std::nullopt;

@@ -15,13 +15,14 @@
 
 namespace cell {
 
+/// "table", "pedestal", a part, a body ("gripper_right.finger_1") or the owner
+/// of bodies ("gripper_right", "arm_left"), two of them.
+using BodyPair = std::pair<std::string, std::string>;
+
 /// How near bodies may come.
 struct ClearanceRule {
-  double clearance = 0.010;  ///< [m] wanted between the arm and all else
-  /// Pairs that may come as near as they like: "table", "pedestal", a part, a
-  /// body ("gripper_right.finger_1") or the owner of bodies ("gripper_right",
-  /// "arm_left").
-  std::vector<std::pair<std::string, std::string>> allowed;
+  double clearance = 0.010;       ///< [m] wanted between the arm and all else
+  std::vector<BodyPair> allowed;  ///< to come as near as they like
 };
 
 /// What an arm moves among: the table's top, the pedestal, the parts where
@@ -54,6 +55,10 @@ class ArmScene {
   std::optional<std::string> WhyBlocked(const std::string& arm,
                                         const ArmPosture& posture,
                                         const ClearanceRule& rule = {}) const;
+  /// The same: a body of the arm and what it would hit.
+  std::optional<BodyPair> FindTooNear(const std::string& arm,
+                                      const ArmPosture& posture,
+                                      const ClearanceRule& rule = {}) const;
   /// [m] From the arm, if it stands so, and what it holds to the other arms and
   /// what they hold; up to `cutoff`.
   double DistanceToOthers(const std::string& arm, const ArmPosture& posture,

@@ -46,18 +46,13 @@ std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
   return std::nullopt;
 }
 
-// What touches, by its names in the reasons of the scene.
-std::vector<std::pair<std::string, std::string>> Touching(
-    const ArmScene& scene, const std::string& arm, const ArmPosture& posture) {
-  constexpr std::string_view kHits = " would hit ";
+std::vector<BodyPair> Touching(const ArmScene& scene, const std::string& arm,
+                               const ArmPosture& posture) {
   ClearanceRule rule{kTouching, {}};
   for (int i = 0; i < kMaxTouching; ++i) {
-    const auto why = scene.WhyBlocked(arm, posture, rule);
-    if (!why) break;
-    const size_t at = why->find(kHits);
-    std::string other = why->substr(at + kHits.size());
-    if (other == "the table") other = "table";
-    rule.allowed.emplace_back(why->substr(0, at), other);
+    auto pair = scene.FindTooNear(arm, posture, rule);
+    if (!pair) break;
+    rule.allowed.push_back(*std::move(pair));
   }
   return rule.allowed;
 }

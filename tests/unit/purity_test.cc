@@ -37,6 +37,7 @@ const std::set<std::string> kAdapters = {
     "services/cell/running/process_group.cc",    // processes of a demonstration
     "services/cell/running/progress.cc",       // the wall clock for the person
     "services/cell/running/progress.h",        //
+    "services/cell/commands/record.cc",        // listens until it is stopped
     "services/cell/evaluations/row_store.cc",  // rows of an evaluation
     "services/cell/running/run_folder.cc",     // what a run leaves behind
     "services/cell/logs/stock_reader.cc",      // runs LCM's own reader
