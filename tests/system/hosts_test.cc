@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -76,12 +77,17 @@ class Hosts : public RunCell {
     Names hosts;
     for (const auto& [host, names] : kServicesOn) hosts.push_back(host);
     network_.emplace(hosts);
+    start_s_ = std::time(nullptr);
   }
 
   fs::path RunOn(const std::string& host) const {
     return dir_ / host / "runs/current";
   }
   Ear& EarOn(const std::string& host) { return *ears_.at(host); }
+  /// [us of the monotonic clock]
+  double EpochOn(const std::string& host) const {
+    return std::stod(TextOf(dir_ / host / "epoch"));
+  }
 
   /// The recorder first, so that it misses nothing; the world last.
   void StartAll(const std::string& url) {
@@ -142,9 +148,9 @@ class Hosts : public RunCell {
 
  private:
   void Start(const std::string& host, const std::string& url) {
-    const ShellResult prepared = Cell(
-        "prepare --cameras --seed 7 --demonstration two_pegs --state-dir " +
-        host);
+    const ShellResult prepared =
+        Cell("prepare --cameras --seed 7 --demonstration two_pegs --start " +
+             std::to_string(start_s_) + " --state-dir " + host);
     ASSERT_EQ(prepared.code, 0) << prepared.output;
     const auto stay = network_->On(host);
     ears_[host] = std::make_unique<Ear>(LcmAddress::Parse(url));
@@ -189,6 +195,7 @@ class Hosts : public RunCell {
     })) << name;
   }
 
+  std::time_t start_s_ = 0;
   std::map<std::string, std::unique_ptr<Ear>> ears_;
   ProcessGroup processes_;
 };
@@ -221,6 +228,8 @@ TEST_F(Hosts, HearAndLogSmallMessagesAndFramesWhole) {
   }
   for (const auto& [host, names] : kServicesOn) {
     EXPECT_THAT(HeardOn(host), UnorderedElementsAreArray(all)) << host;
+    // They were started seconds apart, but share a clock here.
+    EXPECT_NEAR(EpochOn(host), EpochOn("devices"), 5e5) << host;
   }
 
   const ShellResult check = Cell("log check logging/runs/current");
@@ -260,6 +269,13 @@ TEST_F(Hosts, AreNotReachedByATtlThatNobodyAllowed) {
     EXPECT_EQ(run.code, 2) << program;
     EXPECT_THAT(run.output, HasSubstr("say --allow-network")) << program;
   }
+}
+
+TEST_F(Hosts, HaveNoStartThatLiesAhead) {
+  const ShellResult run = Cell("prepare --state-dir . --start 9999999999");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, HasSubstr("--start 9999999999: lies ahead"));
+  EXPECT_FALSE(fs::exists(dir_ / "runs"));
 }
 
 TEST_F(Hosts, AreWellForADoctorWhoIsToldOfThem) {

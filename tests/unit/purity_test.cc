@@ -34,6 +34,7 @@ const std::set<std::string> kAdapters = {
     "services/cell/eval.cc",                   // writes the measures
     "services/cell/job_pool.cc",               // processes of an evaluation
     "services/cell/output_follower.cc",        // what the processes said
+    "services/cell/prepare.cc",                // the instant when ticks begin
     "services/cell/process_group.cc",          // processes of a demonstration
     "services/cell/progress.cc",               // the wall clock for the person
     "services/cell/progress.h",                //
