@@ -22,8 +22,8 @@ class LiveLog {
   /// none or it holds no STEP.
   static LiveLog Load(const std::filesystem::path& run_dir);
   static LiveLog Load(const std::vector<std::filesystem::path>& logs);
-  /// True if the logs hold a STEP, and no TICK before it: a live cell's, not one
-  /// in lockstep.
+  /// True if the logs hold a STEP, and no TICK before it: a live cell's, not
+  /// one in lockstep.
   static bool IsLive(const std::vector<std::filesystem::path>& logs);
 
   /// The steps of each life, by its sender id, in order of seq.

@@ -89,4 +89,9 @@ void LiveState::Forget() const {
   std::filesystem::remove(dir_ / "epoch");
 }
 
+void LiveState::CountFrom(int64_t epoch_us) const {
+  const Lock lock(dir_ / "lock");
+  Replace(dir_ / "epoch", fmt::format("{}\n", epoch_us));
+}
+
 }  // namespace cell

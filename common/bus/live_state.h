@@ -15,8 +15,8 @@ class LiveState {
   /// @throws std::runtime_error naming the folder or file that cannot be used.
   explicit LiveState(std::filesystem::path dir);
 
-  /// [us of the monotonic clock] of tick 0: that of the first call since
-  /// Forget(), or of the first one that is not before it (after a boot).
+  /// [us of the monotonic clock] of tick 0: as CountFrom() has said, else that
+  /// of the first call since Forget(); if that lies ahead (after a boot), now.
   int64_t Epoch(int64_t now_us) const;
 
   /// How often `service` has started before; counts this start. On disk before
@@ -25,6 +25,8 @@ class LiveState {
 
   /// Ticks count anew from the next Epoch() on. Only while no service runs.
   void Forget() const;
+  /// Ticks count from `epoch_us` on. Only while no service runs.
+  void CountFrom(int64_t epoch_us) const;
 
  private:
   std::filesystem::path dir_;

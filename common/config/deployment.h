@@ -11,9 +11,9 @@ namespace cell {
 struct Deployment {
   std::filesystem::path config_dir;  ///< one YAML per service
   std::filesystem::path task_dir;    ///< parts, domain, cell layout, scripts
-  std::filesystem::path types_dir;  ///< texts of the message types, if there
+  std::filesystem::path types_dir;   ///< texts of the message types, if there
   std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
-  bool is_live = false;  ///< by the wall clock, not in lockstep
+  bool is_live = false;           ///< by the wall clock, not in lockstep
   /// A recorded run that is repeated from its own inputs; empty: none is.
   std::filesystem::path repeated_dir;
 

@@ -9,7 +9,10 @@
 #include <sstream>
 #include <tuple>
 
+#include "cell/step_t.hpp"
+#include "common/bus/bus.h"
 #include "common/bus/event_log.h"
+#include "common/bus/message.h"
 #include "tests/system/run_cell.h"
 #include "tests/system/stock_logger.h"
 
@@ -104,6 +107,24 @@ TEST_F(LogCommand, WhatIsNoLogOrAnotherProgramsIsToldApart) {
   EXPECT_THAT(convert.output, HasSubstr("no TICK"));
   EXPECT_FALSE(fs::exists(dir_ / "out"));
   EXPECT_EQ(Cell("log check nowhere").code, 2);
+}
+
+TEST_F(LogCommand, ALiveCellsLostFramesAreNamed) {
+  ASSERT_EQ(Cell("prepare --cameras --state-dir .").code, 0);
+  {
+    EventLogWriter writer(dir_ / "runs/current/cell-0001.lcmlog");
+    writer.Write(0, "STEP", Bus::Encode(step_t{}));
+    for (const int32_t seq : {0, 2}) {
+      Bytes frame(kWireHeaderEnd);
+      WriteIdentity(seq, 12, seq, frame);
+      writer.Write(seq, "FRAME_2", frame);
+    }
+  }
+  const ShellResult check = Cell("log check runs/current");
+  EXPECT_EQ(check.code, 1);
+  EXPECT_THAT(
+      check.output,
+      HasSubstr("the log lacks FRAME_2 sender 12 (camera_set@2) seq 1\n"));
 }
 
 }  // namespace

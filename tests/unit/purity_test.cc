@@ -32,18 +32,19 @@ const std::set<std::string> kAdapters = {
     "services/cell/commands/demo.cc",          // starts the cell's processes
     "services/cell/doctor/host_machine.cc",    // files and clock of the machine
     "services/cell/commands/eval.cc",          // writes the measures
+    "services/cell/commands/prepare.cc",       // when a session begins
+    "services/cell/commands/record.cc",        // listens until it is stopped
+    "services/cell/commands/types.cc",         // writes texts of types
     "services/cell/evaluations/job_pool.cc",   // processes of an evaluation
+    "services/cell/evaluations/row_store.cc",  // rows of an evaluation
+    "services/cell/logs/stock_reader.cc",      // runs LCM's own reader
     "services/cell/running/output_follower.cc",  // what the processes said
     "services/cell/running/process_group.cc",    // processes of a demonstration
-    "services/cell/running/progress.cc",       // the wall clock for the person
-    "services/cell/running/progress.h",        //
-    "services/cell/commands/record.cc",        // listens until it is stopped
-    "services/cell/evaluations/row_store.cc",  // rows of an evaluation
-    "services/cell/running/run_folder.cc",     // what a run leaves behind
-    "services/cell/logs/stock_reader.cc",      // runs LCM's own reader
-    "services/cell/commands/types.cc",         // writes texts of types
-    "services/library/content_file.cc",        // what a library held
-    "services/recorder/log_store.cc",          // the log
+    "services/cell/running/progress.cc",    // the wall clock for the person
+    "services/cell/running/progress.h",     //
+    "services/cell/running/run_folder.cc",  // what a run leaves behind
+    "services/library/content_file.cc",     // what a library held
+    "services/recorder/log_store.cc",       // the log
 };
 
 std::vector<fs::path> Sources() {

@@ -27,7 +27,7 @@ struct LogOptions {
 
 std::vector<fs::path> LogsAt(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
-  const auto logs = LogsOf(path);
+  auto logs = LogsOf(path);
   if (logs.empty()) throw std::runtime_error(path + ": no *.lcmlog in it");
   return logs;
 }
@@ -61,10 +61,17 @@ void PrintFindings(const LogAudit& audit) {
   }
 }
 
+// Who took part stands beside the log, in its run folder.
+Roster RosterOf(const fs::path& log) {
+  const fs::path folder = fs::is_directory(log) ? log : log.parent_path();
+  const fs::path deploy = folder / "deploy";
+  return FindCellFiles(fs::is_directory(deploy) ? deploy.string() : "").roster;
+}
+
 // A live cell's log has no manifests, but each sender counts what it says.
 int CheckLive(const LogOptions& options) {
   const LiveLog log = LiveLog::Load(LogsAt(options.log));
-  const auto problems = log.Problems(FindCellFiles("").roster);
+  const auto problems = log.Problems(RosterOf(options.log));
   for (const std::string& problem : problems) std::cout << problem << "\n";
   std::cout << fmt::format(
       "{}: of a live cell, {} lives\n{}\n", options.log, log.lives().size(),

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 
 #include "common/bus/live_state.h"
 #include "common/node/cell_files.h"
@@ -19,10 +22,30 @@ struct PrepareOptions {
   std::string demonstration;
   uint64_t seed = 1;
   bool has_cameras = false;
+  std::optional<int64_t> start_s;  // UTC
 };
 
+// [us of the monotonic clock]
+int64_t MonotonicTimeOf(int64_t utc_s) {
+  using std::chrono::microseconds;
+  constexpr int64_t kSecond = 1'000'000;
+  const auto now = [](auto clock) {
+    return std::chrono::duration_cast<microseconds>(
+               decltype(clock)::now().time_since_epoch())
+        .count();
+  };
+  const int64_t utc = now(std::chrono::system_clock());
+  if (utc_s > utc / kSecond) {
+    throw std::invalid_argument(
+        fmt::format("--start {}: lies ahead by this host's clock", utc_s));
+  }
+  return now(std::chrono::steady_clock()) - (utc - utc_s * kSecond);
+}
+
 int Prepare(const PrepareOptions& options) {
-  LiveState(options.state_dir).Forget();
+  const LiveState state(options.state_dir);
+  options.start_s ? state.CountFrom(MonotonicTimeOf(*options.start_s))
+                  : state.Forget();
   const std::filesystem::path runs =
       std::filesystem::path(options.state_dir) / "runs";
   RunFolder run =
@@ -53,6 +76,11 @@ void AddPrepare(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed)->capture_default_str();
   command->add_flag("--cameras", options->has_cameras,
                     "the camera sets take part");
+  command
+      ->add_option("--start", options->start_s,
+                   "when ticks begin [s since 1970, UTC]: the same on all "
+                   "hosts of a cell (default: when the first service does)")
+      ->check(CLI::NonNegativeNumber);
   command->callback([=] {
     *action = [=] {
       return Prepare(*options);
