@@ -22,8 +22,8 @@
 #include "common/bus/run_log.h"
 #include "common/imaging/rgbd_frame.h"
 #include "common/node/cell_files.h"
-#include "services/cell/episode_observer.h"
-#include "services/cell/process_group.h"
+#include "services/cell/evaluations/episode_observer.h"
+#include "services/cell/running/process_group.h"
 #include "tests/system/host_network.h"
 #include "tests/system/run_cell.h"
 
