@@ -19,6 +19,7 @@ pid_of() { systemctl --user show -p MainPID --value "$1"; }
 kill_and_wait() {
   local before now state
   before=$(pid_of "$1")
+  [[ $before -gt 1 ]] || { echo "$1 does not run"; exit 1; }
   start
   kill -KILL "$before"
   for _ in $(seq 1000); do

@@ -12,7 +12,7 @@ mkdir -p /run/systemd/system /run/user /run/home/.config/cell
 ip link set lo up && ip route add 224.0.0.0/4 dev lo
 cmake --install "$build" >/run/install.log 2>&1 || { cat /run/install.log; exit 1; }
 export HOME=/run/home XDG_RUNTIME_DIR=/run/user XDG_CONFIG_HOME=/run/home/.config
-export SYSTEMD_UNIT_PATH=/usr/local/lib/systemd/user:/usr/lib/systemd/user
+export SYSTEMD_UNIT_PATH=$XDG_CONFIG_HOME/systemd/user:/usr/local/lib/systemd/user:/usr/lib/systemd/user
 export SYSTEMD_GENERATOR_PATH=/nonexistent
 unset DBUS_SESSION_BUS_ADDRESS
 /lib/systemd/systemd --user --default-standard-output=inherit >/run/manager.log 2>&1 &
