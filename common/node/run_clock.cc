@@ -20,7 +20,7 @@ void RunLockstep(const ServiceArguments& arguments, const Roster& roster,
                  const std::string& name, const ServiceFactory& factory,
                  const LcmClockOptions& options) {
   const LcmClockSummary summary =
-      RunLcmClock(arguments.Address(), roster, factory, options,
+      RunLcmClock(arguments.address.Get(), roster, factory, options,
                   TellServiceManager(), StopOnSignals());
   std::cerr << fmt::format(
       "{}: {} ticks in {:.3f} s, {} TICKs repeated, {} late, {} refused\n",
@@ -62,7 +62,7 @@ int RunClock(const std::string& name, int argc, char** argv,
       return maker(bus, files.deployment, demonstration, seed);
     };
     if (arguments.is_live) {
-      RunLcmLive(arguments.Address(), files.roster, name, factory,
+      RunLcmLive(arguments.address.Get(), files.roster, name, factory,
                  arguments.StateDir(), TellServiceManager(), StopOnSignals());
     } else {
       LcmClockOptions options{.is_realtime = pace == "realtime"};

@@ -24,7 +24,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 int Follow(const ServiceArguments& arguments, const Roster& roster,
            const std::string& name, const ServiceFactory& factory) {
   const FollowSummary summary =
-      RunLcmFollow(arguments.Address(), roster, name, factory,
+      RunLcmFollow(arguments.address.Get(), roster, name, factory,
                    TellServiceManager(), StopOnSignals());
   std::cerr << fmt::format("{}: followed {} ticks, {} messages as in the log\n",
                            name, summary.num_ticks, summary.num_equal);
@@ -68,10 +68,10 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
     };
     if (is_follower) return Follow(arguments, files.roster, name, factory);
     if (arguments.is_live) {
-      RunLcmLive(arguments.Address(), files.roster, name, factory,
+      RunLcmLive(arguments.address.Get(), files.roster, name, factory,
                  arguments.StateDir(), TellServiceManager(), StopOnSignals());
     } else {
-      RunLcmNode(arguments.Address(), files.roster, name, factory,
+      RunLcmNode(arguments.address.Get(), files.roster, name, factory,
                  TellServiceManager(), StopOnSignals());
     }
     return 0;

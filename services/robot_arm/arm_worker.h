@@ -74,6 +74,11 @@ class ArmWorker {
   using TargetMaker = std::function<OrReason<PlaceTarget>()>;
   using Until = MoveFingers::Until;
 
+  /// [m] that each finger opens at first, beside a seated part.
+  static constexpr double kLetGoMargin = 0.008;
+  static constexpr char kLetGo[] = "let go";  ///< a phase
+  static constexpr char kPersonInTheWay[] = "a person's hand is in the way";
+
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
   bool Waits(double dt);
   bool Heeds(RightOfWay::Advice advice, const std::string& reason);
@@ -84,6 +89,7 @@ class ArmWorker {
   void OnFailure(const std::string& reason);
   void End(SkillResult::Outcome outcome, const std::string& reason);
 
+  // arm_worker_skills.cc
   void Add(const std::string& phase, std::function<Todo::Made()> make,
            std::function<void()> then = {});
   void AddWaitForHands(std::function<Eigen::Vector3d()> point,
@@ -105,6 +111,7 @@ class ArmWorker {
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceTarget> TargetAtSite() const;
   SeatingFrames FramesAtSite() const;
+
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
 

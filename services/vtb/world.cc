@@ -277,6 +277,7 @@ void World::Restore(const Snapshot& snapshot) {
     std::copy_n(next, numbers.size(), numbers.begin());
     next += static_cast<std::ptrdiff_t>(numbers.size());
   });
+  std::ranges::fill(data_->warning, mjWarningStat{});
   std::ranges::copy(snapshot.active, model_->eq_active);
   hands_->Restore(snapshot.hands);
   for (size_t i = 0; i < threads_.size(); ++i) {

@@ -1,4 +1,4 @@
-// The whole cell beside bare mj_step on the same scene, in the same run.
+// The whole cell beside bare mj_step of the same motions, in the same run.
 // Example: whole_cell_bench SCRATCH_DIR [DEPLOY_DIR]
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <string>
 
 #include "common/bus/process_usage.h"
+#include "common/bus/replay.h"
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
@@ -32,35 +32,42 @@ double Now() {
 
 struct Timing {
   double wall_s = 0;
-  int32_t num_ticks = 0;
   double sim_s = 0;
 };
 
-// To the end of the episode, or of `max_ticks`.
-Timing Run(const Roster& roster, const Deployment& deployment,
-           int32_t max_ticks = std::numeric_limits<int32_t>::max()) {
+Timing Run(const Roster& roster, const Deployment& deployment) {
   SimBus bus(roster, AllServices(deployment, kScript, kSeed));
   const double start = Now();
-  while (bus.last_tick().header.tick < max_ticks && bus.Step()) {
+  while (bus.Step()) {
   }
-  const int32_t num_ticks = bus.last_tick().header.tick;
-  return {Now() - start, num_ticks, num_ticks * kTickUs * 1e-6};
+  return {Now() - start, bus.last_tick().header.tick * kTickUs * 1e-6};
 }
 
 // Seconds that mj_step itself took: MuJoCo keeps them in its data as soon as it
 // has a clock, and hands the data to this callback in every step.
 double g_step_s = 0;
 
-double BareStepSeconds(const Roster& alone, const Deployment& deployment,
-                       int32_t num_ticks) {
+// The testbed alone, given what it was given in the recorded run.
+struct Alone {
+  double wall_s = 0;
+  double step_s = 0;
+};
+
+Alone ReplayTestbed(const Roster& roster, const Deployment& recorded) {
+  const RunLog log = RunLog::Load(recorded.run_dir.string());
+  Deployment deployment = recorded;
+  deployment.run_dir.clear();
   mjcb_time = Now;
   mjcb_passive = [](const mjModel*, mjData* data) {
     g_step_s = data->timer[mjTIMER_STEP].duration;
   };
-  Run(alone, deployment, num_ticks);
+  const double start = Now();
+  const ReplayResult result = Replay(
+      log, roster, "vtb", AllServices(deployment, kScript, kSeed).at("vtb"));
+  if (result.difference) throw std::runtime_error(*result.difference);
   mjcb_time = nullptr;
   mjcb_passive = nullptr;
-  return g_step_s;
+  return {Now() - start, g_step_s};
 }
 
 // The clock's own account of a run over LCM, in the last line that it said.
@@ -108,10 +115,8 @@ int Main(const std::filesystem::path& scratch, const std::string& deploy) {
   recorded.run_dir = scratch / "sim";
   std::filesystem::create_directories(recorded.run_dir);
   const Timing sim = Run(files.roster, recorded);
-  Roster alone = files.roster;
-  alone.entries.resize(1);
-  const double bare_s = BareStepSeconds(alone, files.deployment, sim.num_ticks);
-  const Timing world = Run(alone, files.deployment, sim.num_ticks);
+  const Alone alone = ReplayTestbed(files.roster, recorded);
+  const double bare_s = alone.step_s;
   RunFolder seeing = RunFolder::Create((scratch / "sim-cameras").string(), "",
                                        files.deployment, kScript, kSeed);
   seeing.TakePart("cameras");
@@ -119,8 +124,8 @@ int Main(const std::filesystem::path& scratch, const std::string& deploy) {
   const double lcm_s = LcmSeconds(deploy, scratch / "lcm", "");
   const double lcm_cameras_s =
       LcmSeconds(deploy, scratch / "lcm-cameras", "--cameras");
-  Print("bare mj_step", bare_s, world.sim_s, bare_s);
-  Print("vtb alone, one process", world.wall_s, world.sim_s, bare_s);
+  Print("bare mj_step", bare_s, sim.sim_s, bare_s);
+  Print("vtb alone, replayed", alone.wall_s, sim.sim_s, bare_s);
   Print("whole cell, one process", sim.wall_s, sim.sim_s, bare_s);
   Print("the same with cameras", sim_cameras.wall_s, sim_cameras.sim_s, bare_s);
   Print("whole cell, lockstep over LCM", lcm_s, sim.sim_s, bare_s);

@@ -80,6 +80,13 @@ TEST_F(CellCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   EXPECT_EQ(replay.code, 0) << replay.output;
 }
 
+TEST_F(CellCommand, ARunThatCannotBeginLeavesNoFolder) {
+  const ShellResult run = Cell("sim --demonstration nowhere --out a");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.output, HasSubstr("nowhere"));
+  EXPECT_FALSE(fs::exists(dir_ / "a"));
+}
+
 TEST_F(CellCommand, AKilledRecorderGoesOnInANewFileAndNamesWhatItMisses) {
   const ShellResult run = Cell(
       "demo --seed 7 --demonstration two_pegs --out a --kill recorder@500");

@@ -269,6 +269,12 @@ TEST_F(Hosts, AreNotReachedByATtlThatNobodyAllowed) {
     EXPECT_EQ(run.code, 2) << program;
     EXPECT_THAT(run.output, HasSubstr("say --allow-network")) << program;
   }
+  for (const std::string command :
+       {"top", "record", "hold", "goal round_pegs"}) {
+    const ShellResult run = Cell(command + " --url '" + kTogether + "'");
+    EXPECT_EQ(run.code, 1) << command;
+    EXPECT_THAT(run.output, HasSubstr("say --allow-network")) << command;
+  }
 }
 
 TEST_F(Hosts, HaveNoStartThatLiesAhead) {

@@ -11,6 +11,7 @@
 
 #include "common/bus/lcm_port.h"
 #include "common/bus/run_log.h"
+#include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RecordOptions {
-  std::string url = "udpm://239.255.76.67:7667";
+  AddressOption address;
   std::string deploy_dir;
   std::string out;
   double duration_s = 0;
@@ -50,7 +51,7 @@ class Recording {
         log_(folder_, RotatingLog::ParamsFromConfig(
                           files.deployment.ForService("recorder"))),
         traffic_(files.roster.entries.size()),
-        port_(LcmAddress::Parse(options.url).MainUrl()) {
+        port_(options.address.Get().MainUrl()) {
     port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
       const auto message = MessageFromWire(channel, std::move(bytes));
       if (!message) return traffic_.HearForeign();
@@ -116,7 +117,7 @@ void AddRecord(CLI::App& app, Action* action) {
       "Record a cell that runs on this network, beside its own recorder, until "
       "Ctrl-C. Exit code 1 if a message was lost.\n"
       "Example: cell record --seconds 10 --out glimpse");
-  command->add_option("--url", options->url)->capture_default_str();
+  options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--out", options->out,

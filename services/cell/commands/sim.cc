@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
@@ -30,17 +32,28 @@ std::vector<SimBus::Outage> OutagesIn(const std::string& run_dir) {
   return outages;
 }
 
+// A run that cannot begin leaves no folder.
+std::unique_ptr<SimBus> MakeBus(const RunFolder& run,
+                                std::vector<SimBus::Outage> outages) {
+  try {
+    return std::make_unique<SimBus>(
+        run.roster, AllServices(run.deployment, run.demonstration, run.seed),
+        std::move(outages));
+  } catch (...) {
+    run.Discard();
+    throw;
+  }
+}
+
 int RunSim(const SimOptions& options) {
   std::vector<SimBus::Outage> outages;
   if (!options.deaths_of.empty()) outages = OutagesIn(options.deaths_of);
   const RunFolder run = options.run.CreateFolder("sim");
-  SimBus bus(run.roster,
-             AllServices(run.deployment, run.demonstration, run.seed),
-             std::move(outages));
+  const auto bus = MakeBus(run, std::move(outages));
   RunReport report(run, options.run.is_hash);
   constexpr int32_t kTicksPerReport = 25;
-  while (bus.Step()) {
-    if (bus.last_tick().header.tick % kTicksPerReport == 0) report.Follow();
+  while (bus->Step()) {
+    if (bus->last_tick().header.tick % kTicksPerReport == 0) report.Follow();
   }
   return report.Finish();
 }

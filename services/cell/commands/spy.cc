@@ -8,7 +8,7 @@
 #include <memory>
 #include <system_error>
 
-#include "common/bus/lcm_port.h"
+#include "common/node/address_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/doctor/host_machine.h"
 #include "services/cell/running/spy_command.h"
@@ -17,7 +17,7 @@ namespace cell {
 namespace {
 
 struct SpyOptions {
-  std::string url = "udpm://239.255.76.67:7667";
+  AddressOption address;
   std::string root;
 };
 
@@ -37,7 +37,7 @@ int RunSpy(const SpyOptions& options) {
                  "a desktop, or log in with ssh -X\n";
     return 1;
   }
-  const LcmAddress address = LcmAddress::Parse(options.url);
+  const LcmAddress address = options.address.Get();
   const std::vector<std::string> command =
       SpyCommand(parts, fmt::format("udpm://{}:{}?ttl={}", address.group,
                                     address.port, address.ttl));
@@ -59,7 +59,7 @@ void AddSpy(CLI::App& app, Action* action) {
       "Look at a running cell's messages, decoded, with LCM's own lcm-spy. It "
       "loses messages of more than 100 KB.\n"
       "Example: cell spy --url udpm://239.255.76.67:7667");
-  command->add_option("--url", options->url)->capture_default_str();
+  options->address.AddTo(*command);
   command->add_option("--root", options->root,
                       "where Java is looked for, instead of /");
   command->callback([=] {

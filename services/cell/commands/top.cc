@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "common/bus/lcm_port.h"
+#include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
@@ -18,7 +19,7 @@ namespace cell {
 namespace {
 
 struct TopOptions {
-  std::string url = "udpm://239.255.76.67:7667";
+  AddressOption address;
   std::string deploy_dir;
   double period_s = 1;
   int num_reports = 0;
@@ -46,7 +47,7 @@ void Print(const Traffic::Report& report) {
 }
 
 int RunTop(const TopOptions& options) {
-  const LcmAddress address = LcmAddress::Parse(options.url);
+  const LcmAddress address = options.address.Get();
   Traffic traffic(FindCellFiles(options.deploy_dir).roster.entries.size());
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());
@@ -97,7 +98,7 @@ void AddTop(CLI::App& app, Action* action) {
       "Watch a cell that runs: each service's processor time, memory and "
       "losses, each channel's rate, bytes, gaps and rejected messages.\n"
       "Example: cell top --period 2 --reports 1");
-  command->add_option("--url", options->url)->capture_default_str();
+  options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--period", options->period_s, "[s]")

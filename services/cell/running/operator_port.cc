@@ -33,7 +33,7 @@ int64_t AwaitTick(const std::string& url) {
 }  // namespace
 
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
-  command.add_option("--url", options->url)->capture_default_str();
+  options->address.AddTo(command);
   command
       .add_option("--deadline", options->deadline_s,
                   "not executed later than so many seconds of the cell's time")
@@ -42,8 +42,8 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
 }
 
 OperatorPort::OperatorPort(const OperatorOptions& options)
-    : control_(LcmAddress::Parse(options.url).ControlUrl()),
-      utime_(AwaitTick(LcmAddress::Parse(options.url).MainUrl())),
+    : control_(options.address.Get().ControlUrl()),
+      utime_(AwaitTick(options.address.Get().MainUrl())),
       deadline_utime_(utime_ + std::llround(options.deadline_s * 1e6)) {}
 
 }  // namespace cell

@@ -5,6 +5,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/lcm_port.h"
+#include "common/node/address_option.h"
 
 namespace CLI {
 class App;
@@ -14,11 +15,12 @@ namespace cell {
 
 /// How an operator's word reaches the clock, and until when it counts.
 struct OperatorOptions {
-  std::string url = "udpm://239.255.76.67:7667";
+  AddressOption address;
   double deadline_s = 1;
 };
 
-/// Adds --url and --deadline. `options` must outlive the parsing.
+/// Adds --url, --allow-network and --deadline. `options` must outlive the
+/// parsing.
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
 
 /// A connection to the clock of a cell that runs.

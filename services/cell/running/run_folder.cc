@@ -96,6 +96,10 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   std::ofstream(file) << planner << "\n";
 }
 
+void RunFolder::Discard() const {
+  fs::remove_all(path);
+}
+
 RunFolder RunFolder::Open(const std::string& path) {
   RunFolder run;
   run.path = path;

@@ -31,6 +31,8 @@ struct RunFolder {
   void TakePart(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
+  /// Removes it: the run never began.
+  void Discard() const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.
   static RunFolder Open(const std::string& path);
 };
