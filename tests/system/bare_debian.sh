@@ -13,9 +13,8 @@ debootstrap --variant=minbase \
   --include=ca-certificates,dbus,git,sudo,systemd-sysv \
   bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >&2
 git clone -q "$source" "$root/root/cell"
-inside() {
-  systemd-nspawn -q --register=no --keep-unit --hostname=bare -D "$root" "$@"
-}
+inside() { systemd-nspawn -q --register=no --keep-unit -D "$root" "$@"; }
+echo bare >"$root/etc/hostname"
 echo '127.0.1.1 bare' >>"$root/etc/hosts"  # sudo asks who it is
 inside --chdir=/root/cell sh -c 'scripts/setup && scripts/build release' >&2
 
