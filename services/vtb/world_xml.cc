@@ -89,7 +89,7 @@ class Writer {
         // Few contacts share a body: sparse is a third faster.
         "<option timestep='{:.17g}' cone='elliptic' jacobian='sparse'/>\n"
         // The whole assembly has 110 contacts and 450 rows.
-        "<size njmax='1600' nconmax='400'/>\n"
+        "<size njmax='1000' nconmax='250'/>\n"
         // Contact settings that hold an assembly still (section IV).
         "<default><geom condim='4' friction='{:.17g} 0.005 0.0001'"
         " solref='{:.17g} 1' solimp='0.98 0.995 0.0002'/>"
