@@ -1,8 +1,10 @@
 #include "common/rendering/renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "common/rendering/posed_scene.h"
@@ -15,6 +17,8 @@ using Eigen::Vector3f;
 // Rays of a packet: a square of pixels, whose rays meet the same things.
 constexpr int kSide = 4;
 constexpr int kWidth = kSide * kSide;
+// Rows that a thread takes at a time: whole packets, the same for any number.
+constexpr int kBand = 4 * kSide;
 constexpr float kNear = 1e-3F;
 constexpr float kShadowOffset = 1e-4F;  // [m] off the surface
 constexpr float kAmbient = 0.30F;
@@ -205,8 +209,6 @@ class Gamma {
   std::array<uint8_t, kSteps + 1> table_{};
 };
 
-}  // namespace
-
 RenderImage EmptyImage(const Camera& camera) {
   const size_t size =
       static_cast<size_t>(camera.width) * static_cast<size_t>(camera.height);
@@ -218,12 +220,10 @@ RenderImage EmptyImage(const Camera& camera) {
   return image;
 }
 
-void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
-                const Camera& camera, const RenderParams& params, int first,
-                int last, RenderImage& image) {
-  const PacketRenderer renderer(scene, posed, camera, params);
+/// The rows first <= row < last; calls for other rows may run at the same time.
+void RenderRows(const PacketRenderer& renderer, const Camera& camera, int side,
+                int first, int last, RenderImage& image) {
   static const Gamma gamma;
-  const int side = params.samples_per_side;
   for (int top = first; top < last; top += kSide) {
     const int num_rows = std::min(kSide, last - top);
     for (int left = 0; left < camera.width; left += kSide) {
@@ -252,12 +252,28 @@ void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
   }
 }
 
+}  // namespace
+
 RenderImage Render(const RenderScene& scene,
                    const std::map<std::string, Eigen::Isometry3d>& X_WO,
                    const Camera& camera, const RenderParams& params) {
   RenderImage image = EmptyImage(camera);
   const auto posed = scene.Pose(X_WO, camera.X_WC);
-  RenderRows(scene, *posed, camera, params, 0, camera.height, image);
+  const PacketRenderer renderer(scene, *posed, camera, params);
+  std::atomic<int> next = 0;  // the first row that nobody has taken
+  const auto render_bands = [&] {
+    for (int first = next.fetch_add(kBand); first < camera.height;
+         first = next.fetch_add(kBand)) {
+      RenderRows(renderer, camera, params.samples_per_side, first,
+                 std::min(first + kBand, camera.height), image);
+    }
+  };
+  std::vector<std::jthread> helpers;
+  for (int i = 1; i < params.num_threads; ++i) {
+    helpers.emplace_back(render_bands);
+  }
+  render_bands();
+  helpers.clear();
   return image;
 }
 

@@ -15,6 +15,7 @@ struct RenderParams {
   /// The colour of a pixel is the mean of so many squared samples.
   int samples_per_side = 1;
   bool has_shadows = true;
+  int num_threads = 1;  ///< at least 1; the image is the same for any
   std::array<double, 3> background = {0.70, 0.74, 0.78};  ///< linear
 };
 
@@ -23,14 +24,5 @@ struct RenderParams {
 RenderImage Render(const RenderScene& scene,
                    const std::map<std::string, Eigen::Isometry3d>& X_WO,
                    const Camera& camera, const RenderParams& params = {});
-
-/// The rows first <= row < last of an image whose fields have their sizes.
-/// Calls for other rows of the same image may run at the same time.
-void RenderRows(const RenderScene& scene, const RenderScene::Posed& posed,
-                const Camera& camera, const RenderParams& params, int first,
-                int last, RenderImage& image);
-
-/// An image in which nothing is.
-RenderImage EmptyImage(const Camera& camera);
 
 }  // namespace cell

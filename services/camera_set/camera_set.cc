@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "cell/alert_t.hpp"
@@ -106,6 +108,11 @@ std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
   const auto device = config.Get<std::string>("device");
   config.Finish();
   rendered.camera = recorded.camera = instance;
+  // In lockstep all wait for this picture; live it is one of many at work.
+  rendered.num_threads =
+      deployment.is_live
+          ? 1
+          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   recorded.folder /= instance;
   if (device == "recorded") {
     return std::make_unique<CameraSet>(

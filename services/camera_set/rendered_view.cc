@@ -10,6 +10,7 @@ namespace cell {
 RgbdFrame RenderedView::Take(const TruthPoses& truth) const {
   RenderParams rendering;
   rendering.has_shadows = params_.has_shadows;
+  rendering.num_threads = params_.num_threads;
   const Camera& view = params_.view;
   RenderImage image = Render(scene_, truth.poses, view, rendering);
   return {

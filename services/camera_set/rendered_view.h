@@ -19,6 +19,7 @@ class RenderedView {
     Camera view;
     double depth_unit = 1e-4;  ///< [m] 0.1 mm: sees 6.5 m far
     bool has_shadows = false;
+    int num_threads = 1;
   };
 
   RenderedView(std::vector<RenderBody> bodies, Params params)

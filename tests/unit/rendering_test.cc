@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <thread>
 
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
@@ -82,18 +81,9 @@ TEST(Rendering, NumberOfThreadsDoesNotChangeTheImage) {
   RenderParams params;
   params.samples_per_side = 2;
   const RenderImage one = Render(scene, BoxOnTable(), camera, params);
-  const auto posed = scene.Pose(BoxOnTable(), camera.X_WC);
-  for (const int num_threads : {2, 5}) {
-    RenderImage image = EmptyImage(camera);
-    std::vector<std::thread> threads;
-    for (int t = 0; t < num_threads; ++t) {
-      threads.emplace_back([&, t] {
-        RenderRows(scene, *posed, camera, params,
-                   camera.height * t / num_threads,
-                   camera.height * (t + 1) / num_threads, image);
-      });
-    }
-    for (std::thread& thread : threads) thread.join();
+  for (const int num_threads : {2, 5, 64}) {
+    params.num_threads = num_threads;
+    const RenderImage image = Render(scene, BoxOnTable(), camera, params);
     EXPECT_EQ(image.colour.pixels, one.colour.pixels);
     EXPECT_EQ(image.depth, one.depth);
     EXPECT_EQ(image.body_id, one.body_id);
