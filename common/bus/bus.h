@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/bus/decode.h"
+
 namespace cell {
 
 /// Length of a tick of the cell's clock: the UR5's servo period (125 Hz).
@@ -78,14 +80,13 @@ class Bus {
     SubscribeBytes(
         channel, depth,
         [handler = std::move(handler)](std::span<const uint8_t> bytes) {
-          M message{};
-          const int size = static_cast<int>(bytes.size());
-          if (message.decode(bytes.data(), 0, size) != size) return false;
+          const auto message = Decode<M>(bytes);
+          if (!message) return false;
           if constexpr (std::same_as<std::invoke_result_t<Handler, const M&>,
                                      bool>) {
-            return handler(message);
+            return handler(*message);
           } else {
-            handler(message);
+            handler(*message);
             return true;
           }
         });

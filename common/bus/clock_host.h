@@ -24,7 +24,7 @@ class ClockHost {
   bool Wants(const std::string& channel) const {
     return stepper_.Wants(channel);
   }
-  std::string WantedPattern() const { return stepper_.WantedPattern(); }
+  Channels WantedChannels() const { return stepper_.WantedChannels(); }
 
   /// Everything the clock publishes in `tick`: commands first, then what the
   /// service does with `inputs` (messages of the tick before) and with them.

@@ -21,7 +21,7 @@ class FollowNode {
              std::function<void(const Message&)> send);
 
   bool Wants(const std::string& channel) const { return node_.Wants(channel); }
-  std::string WantedPattern() const { return node_.WantedPattern(); }
+  Channels WantedChannels() const { return node_.WantedChannels(); }
 
   void PutData(Message message) { node_.PutData(std::move(message)); }
   void PutTick(tick_t tick);

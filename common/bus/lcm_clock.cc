@@ -11,6 +11,7 @@
 
 #include "common/bus/bus_error.h"
 #include "common/bus/clock.h"
+#include "common/bus/decode.h"
 #include "common/bus/inbox.h"
 #include "common/bus/manifest.h"
 
@@ -39,7 +40,7 @@ class LcmClock {
         control_(address.ControlUrl()),
         host_(roster, factory),
         clock_(roster, RandomIdentity()) {
-    main_.Subscribe(host_.WantedPattern(),
+    main_.SubscribeTo(host_.WantedChannels(),
                     [this](const std::string& channel, Bytes bytes) {
                       OnData(channel, std::move(bytes));
                     });
@@ -81,14 +82,12 @@ class LcmClock {
  private:
   void OnData(const std::string& channel, Bytes bytes) {
     if (channel == kTickChannel) {
-      tick_t tick{};
-      const int size = static_cast<int>(bytes.size());
-      if (tick.decode(bytes.data(), 0, size) == size &&
-          tick.run != clock_.run()) {
+      const auto tick = Decode<tick_t>(bytes);
+      if (tick && tick->run != clock_.run()) {
         throw BusError(fmt::format(
             "another cell's clock is on this port (its TICK {}); give each "
             "cell its own port (--url)",
-            tick.header.tick));
+            tick->header.tick));
       }
     } else if (host_.Wants(channel) && !IsCommand(channel)) {
       auto message = MessageFromWire(channel, std::move(bytes));
@@ -97,12 +96,11 @@ class LcmClock {
   }
 
   void OnControl(const std::string& channel, Bytes bytes) {
-    const int size = static_cast<int>(bytes.size());
     if (channel == kHelloChannel) {
-      hello_t hello{};
-      if (hello.decode(bytes.data(), 0, size) != size) {
+      const auto hello = Decode<hello_t>(bytes);
+      if (!hello) {
         ++summary_.num_refused;
-      } else if (const auto refusal = clock_.Hello(hello)) {
+      } else if (const auto refusal = clock_.Hello(*hello)) {
         ++summary_.num_refused;
         if (complaints_.size() < kMaxComplaints &&
             complaints_.insert(*refusal).second) {
@@ -110,10 +108,8 @@ class LcmClock {
         }
       }
     } else if (channel == kAckChannel) {
-      ack_t ack{};
-      if (ack.decode(bytes.data(), 0, size) != size || !clock_.Ack(ack)) {
-        ++summary_.num_refused;
-      }
+      const auto ack = Decode<ack_t>(bytes);
+      if (!ack || !clock_.Ack(*ack)) ++summary_.num_refused;
     } else if (commands_.size() < kMaxWaitingCommands) {
       commands_.push_back({channel, std::move(bytes)});
     } else {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/bus/bus_error.h"
+#include "common/bus/decode.h"
 #include "common/bus/follow_node.h"
 
 namespace cell {
@@ -25,13 +26,11 @@ FollowSummary RunLcmFollow(const LcmAddress& address, const Roster& roster,
   FollowNode node(roster, name, factory, [&port](const Message& message) {
     port.Publish(message.channel, *message.bytes);
   });
-  port.Subscribe(node.WantedPattern(),
+  port.SubscribeTo(node.WantedChannels(),
                  [&node](const std::string& channel, Bytes bytes) {
                    if (channel == kTickChannel) {
-                     tick_t tick{};
-                     const int size = static_cast<int>(bytes.size());
-                     if (tick.decode(bytes.data(), 0, size) == size)
-                       node.PutTick(tick);
+                     const auto tick = Decode<tick_t>(bytes);
+                     if (tick) node.PutTick(*tick);
                    } else if (const auto message =
                                   MessageFromWire(channel, std::move(bytes))) {
                      node.PutData(*message);

@@ -39,7 +39,7 @@ class LcmLive {
               [this](const Message& message) {
                 main_.Publish(message.channel, *message.bytes);
               }) {
-    main_.Subscribe(node_.WantedPattern(),
+    main_.SubscribeTo(node_.WantedChannels(),
                     [this](const std::string& channel, Bytes bytes) {
                       OnMessage(channel, std::move(bytes));
                     });

@@ -5,6 +5,7 @@
 
 #include "cell/health_t.hpp"
 #include "common/bus/bus_error.h"
+#include "common/bus/decode.h"
 #include "common/bus/lockstep_node.h"
 #include "common/bus/process_usage.h"
 
@@ -37,7 +38,7 @@ class LcmNode {
                    [this](const ack_t& ack) {
                      control_.Publish(kAckChannel, Bus::Encode(ack));
                    }}) {
-    main_.Subscribe(node_.WantedPattern(),
+    main_.SubscribeTo(node_.WantedChannels(),
                     [this](const std::string& channel, Bytes bytes) {
                       OnMessage(channel, std::move(bytes));
                     });
@@ -72,9 +73,7 @@ class LcmNode {
 
   void OnMessage(const std::string& channel, Bytes bytes) {
     if (channel == kTickChannel) {
-      tick_t tick{};
-      const int size = static_cast<int>(bytes.size());
-      if (tick.decode(bytes.data(), 0, size) == size) node_.PutTick(tick);
+      if (const auto tick = Decode<tick_t>(bytes)) node_.PutTick(*tick);
     } else if (node_.Wants(channel)) {
       auto message = MessageFromWire(channel, std::move(bytes));
       if (message) node_.PutData(*message);

@@ -1,17 +1,32 @@
 #include "common/bus/lcm_port.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <exception>
+#include <mutex>
 #include <random>
 #include <regex>
 #include <stdexcept>
 #include <utility>
 
 #include "common/bus/bus_error.h"
+#include "common/bus/channel_filter.h"
 
 namespace cell {
+namespace {
+
+// liblcm opens its receiving socket when it first subscribes and tells nobody
+// which it is: one at a time.
+std::recursive_mutex& OpeningSocket() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+}  // namespace
 
 LcmAddress LcmAddress::Parse(const std::string& url) {
   static const std::regex kForm(
@@ -40,7 +55,8 @@ std::string LcmAddress::Url(int of_port) const {
                      of_port, ttl);
 }
 
-LcmPort::LcmPort(const std::string& url) : lcm_(url) {
+LcmPort::LcmPort(const std::string& url)
+    : port_(std::atoi(url.c_str() + url.rfind(':') + 1)), lcm_(url) {
   if (!lcm_.good()) {
     throw BusError(
         "cannot open LCM at " + url +
@@ -50,6 +66,7 @@ LcmPort::LcmPort(const std::string& url) : lcm_(url) {
 }
 
 void LcmPort::Subscribe(const std::string& pattern, Handler handler) {
+  const std::lock_guard lock(OpeningSocket());
   subscriptions_.push_back({std::move(handler), nullptr});
   lcm::Subscription* subscription = lcm_.subscribeFunction(
       pattern, &LcmPort::OnMessage, &subscriptions_.back());
@@ -59,6 +76,20 @@ void LcmPort::Subscribe(const std::string& pattern, Handler handler) {
                    "(ip route add 224.0.0.0/4 dev lo)");
   }
   subscription->setQueueCapacity(0);
+}
+
+void LcmPort::SubscribeTo(const Channels& channels, Handler handler) {
+  if (!subscriptions_.empty()) {
+    throw std::logic_error("a port that has subscribed cannot be filtered");
+  }
+  if (!channels) return Subscribe(".*", std::move(handler));
+  const std::lock_guard lock(OpeningSocket());
+  const std::vector<int> others = SocketsOn(port_);
+  Subscribe(fmt::format("({})", fmt::join(*channels, "|")), std::move(handler));
+  for (const int socket : SocketsOn(port_)) {
+    if (std::binary_search(others.begin(), others.end(), socket)) continue;
+    AttachFilter(socket, ChannelFilter(*channels));
+  }
 }
 
 void LcmPort::Publish(const std::string& channel, const Bytes& bytes) {

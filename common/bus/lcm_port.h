@@ -42,6 +42,9 @@ class LcmPort {
   /// `pattern` is a regular expression, as in LCM. The queue is unlimited:
   /// the bus drops by tick order, LCM would drop by timing.
   void Subscribe(const std::string& pattern, Handler handler);
+  /// Once, instead of Subscribe(): packets of other channels do not even wake
+  /// the process.
+  void SubscribeTo(const Channels& channels, Handler handler);
   /// @throws BusError naming the channel.
   void Publish(const std::string& channel, const Bytes& bytes);
   /// Handles all that has come. @throws what a handler threw.
@@ -57,6 +60,7 @@ class LcmPort {
   static void OnMessage(const lcm::ReceiveBuffer* buffer,
                         const std::string& channel, Subscription* subscription);
 
+  int port_ = 0;
   std::deque<Subscription> subscriptions_;  // liblcm keeps their addresses
   lcm::LCM lcm_;
 };

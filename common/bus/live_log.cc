@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/bus/command_gate.h"
+#include "common/bus/decode.h"
 #include "common/bus/event_log.h"
 #include "common/bus/live_node.h"
 #include "common/bus/run_log.h"
@@ -89,11 +90,9 @@ void LiveLog::Read(const std::filesystem::path& log) {
     if (is_known) continue;
     twins.push_back(*message);
     if (message->channel != kStepChannel) continue;
-    step_t step{};
-    const int size = static_cast<int>(message->bytes->size());
-    if (step.decode(message->bytes->data(), 0, size) == size &&
-        IsSoundStep(step)) {
-      lives_[message->sender].push_back(std::move(step));
+    auto step = Decode<step_t>(*message);
+    if (step && IsSoundStep(*step)) {
+      lives_[message->sender].push_back(*std::move(step));
     }
   }
   for (const auto& damage : reader.damages()) {

@@ -30,7 +30,7 @@ class LiveNode {
   bool Wants(const std::string& channel) const {
     return stepper_.Wants(channel);
   }
-  std::string WantedPattern() const { return stepper_.WantedPattern(); }
+  Channels WantedChannels() const { return stepper_.WantedChannels(); }
 
   void Put(Message message);
   /// For the service at the roster's head, that gives commands their order.

@@ -36,7 +36,7 @@ class LockstepNode {
   bool Wants(const std::string& channel) const {
     return stepper_.Wants(channel);
   }
-  std::string WantedPattern() const { return stepper_.WantedPattern(); }
+  Channels WantedChannels() const { return stepper_.WantedChannels(); }
 
   void PutData(Message message);
 

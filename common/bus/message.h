@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ void WriteIdentity(int32_t tick, int32_t sender, int32_t seq, Bytes& bytes);
 /// to hold a header.
 std::shared_ptr<const Message> MessageFromWire(std::string channel,
                                                Bytes bytes);
+
+/// The named channels; nothing: all there are.
+using Channels = std::optional<std::vector<std::string>>;
+inline constexpr std::nullopt_t kAllChannels = std::nullopt;
 
 /// Channels of the protocol itself.
 inline constexpr char kTickChannel[] = "TICK";

@@ -24,6 +24,8 @@ struct Roster {
   /// `option`, for which a run has to ask. As they come last, the others'
   /// sender ids are the same without them.
   std::vector<std::string> absent;
+  /// Of those who may speak, whether they take part in this run or another.
+  size_t NumListed() const { return entries.size() + absent.size(); }
 
   /// @throws ConfigError, also for twin names and an empty roster.
   static Roster FromConfig(const Config& config);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/bus/bus.h"
+#include "common/bus/decode.h"
 #include "common/bus/event_log.h"
 #include "common/bus/manifest.h"
 
@@ -67,11 +68,9 @@ void RunLog::Read(const std::filesystem::path& log) {
       tick.messages.push_back(*message);
       continue;
     }
-    tick_t manifest{};
-    const int size = static_cast<int>(message->bytes->size());
-    if (manifest.decode(message->bytes->data(), 0, size) == size &&
-        IsSound(manifest.flows)) {
-      tick.manifest = std::move(manifest);
+    auto manifest = Decode<tick_t>(*message);
+    if (manifest && IsSound(manifest->flows)) {
+      tick.manifest = *std::move(manifest);
       tick.has_manifest = true;
     }
   }

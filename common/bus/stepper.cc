@@ -72,11 +72,11 @@ bool Stepper::Wants(const std::string& channel) const {
   return any_handler_ || subscriptions_.contains(channel);
 }
 
-std::string Stepper::WantedPattern() const {
-  if (any_handler_) return ".*";
-  std::string pattern = std::string("(") + kTickChannel;
-  for (const auto& entry : subscriptions_) pattern += "|" + entry.first;
-  return pattern + ")";
+Channels Stepper::WantedChannels() const {
+  if (any_handler_) return kAllChannels;
+  Channels channels({kTickChannel});
+  for (const auto& entry : subscriptions_) channels->push_back(entry.first);
+  return channels;
 }
 
 Stepper::State Stepper::Accept(int32_t tick, std::vector<Message> inputs) {

@@ -45,8 +45,8 @@ class Stepper final : public Bus {
 
   /// True if messages on `channel` are among the service's inputs.
   bool Wants(const std::string& channel) const;
-  /// A regular expression that matches the channels it wants, and TICK.
-  std::string WantedPattern() const;
+  /// The channels it wants, and TICK.
+  Channels WantedChannels() const;
 
   /// Takes the inputs of `tick` (only channels it wants; any order).
   enum class State {

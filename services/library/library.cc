@@ -5,6 +5,7 @@
 
 #include "cell/stored_t.hpp"
 #include "cell/tick_t.hpp"
+#include "common/bus/decode.h"
 #include "services/library/record_messages.h"
 
 namespace cell {
@@ -41,13 +42,12 @@ Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
 /// The tick of joining brings nothing but this.
 bool Library::OnTick(std::span<const uint8_t> bytes) {
   if (std::exchange(has_joined_, true)) return true;
-  tick_t tick{};
-  const int size = static_cast<int>(bytes.size());
-  if (tick.decode(bytes.data(), 0, size) != size) return false;
+  const auto tick = Decode<tick_t>(bytes);
+  if (!tick) return false;
   const auto self =
-      std::find_if(tick.joined.begin(), tick.joined.end(),
+      std::find_if(tick->joined.begin(), tick->joined.end(),
                    [](const joined_t& joined) { return joined.name == kName; });
-  if (self == tick.joined.end()) return true;
+  if (self == tick->joined.end()) return true;
   // A life that ended in tick 0 had heard nothing yet.
   if (self->death_tick > 0) {
     store_->RollBackTo(self->death_tick);

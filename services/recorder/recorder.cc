@@ -6,6 +6,7 @@
 
 #include "cell/alert_t.hpp"
 #include "cell/tick_t.hpp"
+#include "common/bus/decode.h"
 #include "services/recorder/live_recorder.h"
 
 namespace cell {
@@ -33,24 +34,23 @@ void Recorder::OnMessage(const std::string& channel,
 }
 
 void Recorder::OnTick(const Message& message) {
-  tick_t tick{};
-  const int size = static_cast<int>(message.bytes->size());
-  if (tick.decode(message.bytes->data(), 0, size) != size) return;
-  const int32_t k = tick.header.tick;
+  const auto tick = Decode<tick_t>(message);
+  if (!tick) return;
+  const int32_t k = tick->header.tick;
   const bool is_joining = is_first_tick_;
   is_first_tick_ = false;
   if (is_joining && k > 0) {
     // What the clock published in the tick of joining did not reach us.
     const auto self =
-        std::find_if(tick.joined.begin(), tick.joined.end(),
+        std::find_if(tick->joined.begin(), tick->joined.end(),
                      [](const joined_t& j) { return j.name == "recorder"; });
-    const bool is_reborn = self != tick.joined.end() && self->death_tick >= 0;
+    const bool is_reborn = self != tick->joined.end() && self->death_tick >= 0;
     ReportGap(is_reborn ? std::max(self->death_tick - 1, 0) : 0, k);
   }
   order_.Put(message);
   // Of the last tick only the clock's messages count: they are all there once
   // this tick's have been handled.
-  complete_before_ = tick.is_last ? k + 1 : k;
+  complete_before_ = tick->is_last ? k + 1 : k;
 }
 
 void Recorder::ReportGap(int32_t from, int32_t to) {

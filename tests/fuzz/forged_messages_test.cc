@@ -33,6 +33,7 @@
 #include "cell/types_digest.h"
 #include "common/bus/bus_error.h"
 #include "common/bus/clock.h"
+#include "common/bus/decode.h"
 #include "common/bus/lockstep_node.h"
 #include "common/bus/process_usage.h"
 #include "common/bus/sim_bus.h"

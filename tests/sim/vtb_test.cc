@@ -57,7 +57,7 @@ class Bench {
 };
 
 template <class M>
-M Decode(const Message& message) {
+M Decoded(const Message& message) {
   M m{};
   const int size = static_cast<int>(message.bytes->size());
   EXPECT_EQ(m.decode(message.bytes->data(), 0, size), size);
@@ -87,7 +87,7 @@ TEST(Vtb, ShowsAnEpisodeFromTickOneAndEndsTheRun) {
     }
     const auto found = outputs.find("EPISODE");
     if (found == outputs.end()) continue;
-    const auto episode = Decode<episode_t>(found->second);
+    const auto episode = Decoded<episode_t>(found->second);
     EXPECT_EQ(episode.id, 1);
     EXPECT_EQ(episode.task, "cranfield");
     EXPECT_EQ(episode.demonstration, "two_pegs");
@@ -105,7 +105,7 @@ TEST(Vtb, TruthNamesPartsHandsAndWhatTouches) {
   bench.Tick();
   std::multimap<std::string, Message> outputs;
   while (outputs.count("TRUTH_POSES") == 0) outputs = bench.Tick();
-  const auto poses = Decode<truth_poses_t>(outputs.find("TRUTH_POSES")->second);
+  const auto poses = Decoded<truth_poses_t>(outputs.find("TRUTH_POSES")->second);
   std::set<std::string> names;
   for (const body_pose_t& body : poses.bodies) names.insert(body.name);
   EXPECT_EQ(names.size(), poses.bodies.size());
@@ -115,7 +115,7 @@ TEST(Vtb, TruthNamesPartsHandsAndWhatTouches) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   const auto contacts =
-      Decode<truth_contacts_t>(outputs.find("TRUTH_CONTACTS")->second);
+      Decoded<truth_contacts_t>(outputs.find("TRUTH_CONTACTS")->second);
   EXPECT_EQ(contacts.contacts.size(), 9u);  // each free part on the table
 }
 
@@ -140,7 +140,7 @@ TEST(Vtb, AStartCommandEndsTheEpisodeAndBeginsAnotherAfterAGap) {
   const auto tick = [&](std::vector<Message> inputs) {
     const auto outputs = bench.Tick(std::move(inputs));
     if (const auto found = outputs.find("EPISODE"); found != outputs.end()) {
-      const auto episode = Decode<episode_t>(found->second);
+      const auto episode = Decoded<episode_t>(found->second);
       if (episode.phase == episode_t::START ||
           episode.phase == episode_t::END) {
         episodes.emplace_back(bench.tick(), episode);

@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "cell/health_t.hpp"
+#include "common/bus/decode.h"
 #include "common/bus/lcm_port.h"
 #include "common/bus/live_log.h"
 #include "common/bus/run_log.h"
 #include "common/imaging/rgbd_frame.h"
 #include "common/node/cell_files.h"
-#include "services/cell/evaluations/episode_observer.h"
 #include "services/cell/running/process_group.h"
 #include "tests/system/host_network.h"
 #include "tests/system/run_cell.h"

@@ -50,13 +50,11 @@ class Recording {
       : folder_(FolderFor(options.out)),
         log_(folder_, RotatingLog::ParamsFromConfig(
                           files.deployment.ForService("recorder"))),
-        traffic_(files.roster.entries.size()),
+        traffic_(files.roster.NumListed()),
         port_(options.address.Get().MainUrl()) {
     port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
-      const auto message = MessageFromWire(channel, std::move(bytes));
-      if (!message) return traffic_.HearForeign();
-      traffic_.Hear(*message);
-      messages_.push_back(*message);
+      auto message = traffic_.Hear(channel, std::move(bytes));
+      if (message) messages_.push_back(*std::move(message));
     });
   }
 

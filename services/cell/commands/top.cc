@@ -5,13 +5,13 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "common/bus/lcm_port.h"
 #include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/evaluations/episode_observer.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/traffic.h"
 
@@ -48,23 +48,16 @@ void Print(const Traffic::Report& report) {
 
 int RunTop(const TopOptions& options) {
   const LcmAddress address = options.address.Get();
-  Traffic traffic(FindCellFiles(options.deploy_dir).roster.entries.size());
+  Traffic traffic(FindCellFiles(options.deploy_dir).roster.NumListed());
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());
   main.Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
-    const auto message = MessageFromWire(channel, std::move(bytes));
-    if (!message) return traffic.HearForeign();
-    if (channel == kStatusChannel) {
-      if (const auto status = Decode<status_t>(*message)) traffic.Hear(*status);
-    }
-    traffic.Hear(*message);
+    traffic.Hear(channel, std::move(bytes));
   });
-  control.Subscribe(
-      kHealthChannel, [&](const std::string& channel, Bytes bytes) {
-        const auto message = MessageFromWire(channel, std::move(bytes));
-        const auto health = message ? Decode<health_t>(*message) : std::nullopt;
-        health ? traffic.Hear(*health) : traffic.HearForeign();
-      });
+  control.Subscribe(kHealthChannel,
+                    [&](const std::string& channel, Bytes bytes) {
+                      traffic.HearControl(channel, std::move(bytes));
+                    });
   const auto& stop = StopOnSignals();
   const Progress clock;
   const bool is_terminal = isatty(STDOUT_FILENO) != 0;

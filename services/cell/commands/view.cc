@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "common/bus/bus.h"
+#include "common/bus/decode.h"
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
 #include "common/imaging/png_file.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/evaluations/episode_observer.h"
 #include "services/cell/pictures/frame_picture.h"
 #include "services/cell/pictures/scene_picture.h"
 #include "services/cell/running/run_folder.h"

@@ -6,6 +6,7 @@
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
+#include "common/bus/decode.h"
 #include "services/cell/evaluations/episode_observer.h"
 
 namespace cell {

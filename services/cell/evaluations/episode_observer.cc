@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/bus/bus.h"
+#include "common/bus/decode.h"
 
 namespace cell {
 namespace {

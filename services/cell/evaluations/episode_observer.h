@@ -52,15 +52,4 @@ class EpisodeObserver {
   bool has_begun_ = false;
 };
 
-/// The message of type M, or nothing if the bytes are not one.
-template <class M>
-std::optional<M> Decode(const Message& message) {
-  M decoded{};
-  const int size = static_cast<int>(message.bytes->size());
-  if (decoded.decode(message.bytes->data(), 0, size) != size) {
-    return std::nullopt;
-  }
-  return decoded;
-}
-
 }  // namespace cell

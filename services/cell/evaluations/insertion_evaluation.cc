@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cell/skill_request_t.hpp"
+#include "common/bus/decode.h"
 #include "services/cell/evaluations/assembly_observer.h"
-#include "services/cell/evaluations/episode_observer.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/skill_driver.h"
 #include "services/cell/running/service_registry.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/bus/bus.h"
+#include "common/bus/decode.h"
 #include "common/bus/manifest.h"
 
 namespace cell {
@@ -27,12 +28,10 @@ Candidates CandidatesIn(const LogIndex& index) {
   for (size_t i = 0; i < index.entries.size(); ++i) {
     const LogEntry& entry = index.entries[i];
     if (!entry.is_tick) continue;
+    auto tick = Decode<tick_t>(entry.message);
+    if (!tick || !IsConsistent(*tick)) continue;
     ManifestLink link;
-    const int size = static_cast<int>(entry.message.bytes->size());
-    if (link.tick.decode(entry.message.bytes->data(), 0, size) != size ||
-        !IsConsistent(link.tick)) {
-      continue;
-    }
+    link.tick = *std::move(tick);
     link.message = TickMessage(link.tick);
     link.entry = i;
     candidates[link.tick.header.tick].push_back(std::move(link));

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cell/episode_t.hpp"
-#include "services/cell/evaluations/episode_observer.h"
+#include "common/bus/decode.h"
 
 namespace cell {
 

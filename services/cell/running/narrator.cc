@@ -13,7 +13,7 @@
 #include "cell/predicates_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
-#include "services/cell/evaluations/episode_observer.h"
+#include "common/bus/decode.h"
 
 namespace cell {
 namespace {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "common/bus/bus.h"
+#include "common/bus/decode.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/episode_score.h"
 #include "services/cell/pictures/scene_picture.h"

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "common/bus/decode.h"
+
 namespace cell {
 namespace {
 
@@ -19,6 +21,25 @@ int64_t SumOf(const health_t& health, const std::string& prefix) {
 }
 
 }  // namespace
+
+std::optional<Message> Traffic::Hear(const std::string& channel, Bytes bytes) {
+  const auto message = MessageFromWire(channel, std::move(bytes));
+  if (!message) {
+    ++num_foreign_;
+    return std::nullopt;
+  }
+  if (channel == kStatusChannel) {
+    if (const auto status = Decode<status_t>(*message)) Hear(*status);
+  }
+  Hear(*message);
+  return *message;
+}
+
+void Traffic::HearControl(const std::string& channel, Bytes bytes) {
+  const auto message = MessageFromWire(channel, std::move(bytes));
+  const auto health = message ? Decode<health_t>(*message) : std::nullopt;
+  health ? Hear(*health) : static_cast<void>(++num_foreign_);
+}
 
 void Traffic::Hear(const Message& message) {
   if (counts_.size() >= kMaxNames && !counts_.contains(message.channel)) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,14 @@ class Traffic {
     int64_t num_foreign = 0;  ///< messages of no member of the cell, in all
   };
 
-  /// `num_services` in the roster.
+  /// `num_services` listed in the roster.
   explicit Traffic(size_t num_services) : arrivals_(num_services) {}
 
+  /// What came on the bus: the message, nothing if it is none of the cell's.
+  std::optional<Message> Hear(const std::string& channel, Bytes bytes);
+  /// What came on the control port.
+  void HearControl(const std::string& channel, Bytes bytes);
   void Hear(const Message& message);
-  /// Bytes that are no message of the cell.
-  void HearForeign() { ++num_foreign_; }
   void Hear(const health_t& health);
   void Hear(const status_t& status);
 
