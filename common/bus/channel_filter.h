@@ -18,7 +18,8 @@ std::vector<sock_filter> ChannelFilter(std::vector<std::string> channels);
 /// Descriptors of this process's UDP sockets that receive on the port.
 std::vector<int> SocketsOn(int port);
 
-/// @returns false if the kernel refuses; then the socket receives all, as before
+/// @returns false if the kernel refuses; then the socket receives all, as
+/// before
 bool AttachFilter(int socket, std::vector<sock_filter> program);
 
 }  // namespace cell

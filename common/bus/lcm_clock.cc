@@ -41,9 +41,9 @@ class LcmClock {
         host_(roster, factory),
         clock_(roster, RandomIdentity()) {
     main_.SubscribeTo(host_.WantedChannels(),
-                    [this](const std::string& channel, Bytes bytes) {
-                      OnData(channel, std::move(bytes));
-                    });
+                      [this](const std::string& channel, Bytes bytes) {
+                        OnData(channel, std::move(bytes));
+                      });
     control_.Subscribe("(HELLO|ACK|COMMAND_.*)",
                        [this](const std::string& channel, Bytes bytes) {
                          OnControl(channel, std::move(bytes));

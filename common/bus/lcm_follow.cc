@@ -26,16 +26,16 @@ FollowSummary RunLcmFollow(const LcmAddress& address, const Roster& roster,
   FollowNode node(roster, name, factory, [&port](const Message& message) {
     port.Publish(message.channel, *message.bytes);
   });
-  port.SubscribeTo(node.WantedChannels(),
-                 [&node](const std::string& channel, Bytes bytes) {
-                   if (channel == kTickChannel) {
-                     const auto tick = Decode<tick_t>(bytes);
-                     if (tick) node.PutTick(*tick);
-                   } else if (const auto message =
-                                  MessageFromWire(channel, std::move(bytes))) {
-                     node.PutData(*message);
-                   }
-                 });
+  port.SubscribeTo(
+      node.WantedChannels(), [&node](const std::string& channel, Bytes bytes) {
+        if (channel == kTickChannel) {
+          const auto tick = Decode<tick_t>(bytes);
+          if (tick) node.PutTick(*tick);
+        } else if (const auto message =
+                       MessageFromWire(channel, std::move(bytes))) {
+          node.PutData(*message);
+        }
+      });
   hooks.on_ready();
   auto last_advance = steady_clock::now();
   while (!stop && !node.is_done()) {

@@ -40,9 +40,9 @@ class LcmLive {
                 main_.Publish(message.channel, *message.bytes);
               }) {
     main_.SubscribeTo(node_.WantedChannels(),
-                    [this](const std::string& channel, Bytes bytes) {
-                      OnMessage(channel, std::move(bytes));
-                    });
+                      [this](const std::string& channel, Bytes bytes) {
+                        OnMessage(channel, std::move(bytes));
+                      });
     if (!is_head_) return;
     control_.Subscribe("COMMAND_.*",
                        [this](const std::string& channel, Bytes bytes) {

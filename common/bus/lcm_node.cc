@@ -39,9 +39,9 @@ class LcmNode {
                      control_.Publish(kAckChannel, Bus::Encode(ack));
                    }}) {
     main_.SubscribeTo(node_.WantedChannels(),
-                    [this](const std::string& channel, Bytes bytes) {
-                      OnMessage(channel, std::move(bytes));
-                    });
+                      [this](const std::string& channel, Bytes bytes) {
+                        OnMessage(channel, std::move(bytes));
+                      });
   }
 
   void Run(const ProcessHooks& hooks, const std::atomic<bool>& stop) {

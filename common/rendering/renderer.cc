@@ -1,12 +1,11 @@
 #include "common/rendering/renderer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <vector>
 
+#include "common/rendering/bands.h"
 #include "common/rendering/posed_scene.h"
 
 namespace cell {
@@ -260,20 +259,11 @@ RenderImage Render(const RenderScene& scene,
   RenderImage image = EmptyImage(camera);
   const auto posed = scene.Pose(X_WO, camera.X_WC);
   const PacketRenderer renderer(scene, *posed, camera, params);
-  std::atomic<int> next = 0;  // the first row that nobody has taken
-  const auto render_bands = [&] {
-    for (int first = next.fetch_add(kBand); first < camera.height;
-         first = next.fetch_add(kBand)) {
-      RenderRows(renderer, camera, params.samples_per_side, first,
-                 std::min(first + kBand, camera.height), image);
-    }
-  };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < params.num_threads; ++i) {
-    helpers.emplace_back(render_bands);
-  }
-  render_bands();
-  helpers.clear();
+  ForEachBand(camera.height, kBand, params.num_threads,
+              [&](int first, int last) {
+                RenderRows(renderer, camera, params.samples_per_side, first,
+                           last, image);
+              });
   return image;
 }
 

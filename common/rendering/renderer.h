@@ -15,7 +15,7 @@ struct RenderParams {
   /// The colour of a pixel is the mean of so many squared samples.
   int samples_per_side = 1;
   bool has_shadows = true;
-  int num_threads = 1;  ///< at least 1; the image is the same for any
+  int num_threads = 1;  ///< 0: one a core; the image is the same for any
   std::array<double, 3> background = {0.70, 0.74, 0.78};  ///< linear
 };
 

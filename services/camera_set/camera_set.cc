@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "cell/alert_t.hpp"
@@ -109,10 +107,7 @@ std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
   config.Finish();
   rendered.camera = recorded.camera = instance;
   // In lockstep all wait for this picture; live it is one of many at work.
-  rendered.num_threads =
-      deployment.is_live
-          ? 1
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  rendered.num_threads = deployment.is_live ? 1 : 0;
   recorded.folder /= instance;
   if (device == "recorded") {
     return std::make_unique<CameraSet>(

@@ -19,7 +19,7 @@ class RenderedView {
     Camera view;
     double depth_unit = 1e-4;  ///< [m] 0.1 mm: sees 6.5 m far
     bool has_shadows = false;
-    int num_threads = 1;
+    int num_threads = 1;  ///< 0: one a core
   };
 
   RenderedView(std::vector<RenderBody> bodies, Params params)

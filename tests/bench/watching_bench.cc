@@ -16,19 +16,7 @@ enum Scenery { kBegin, kAssembled, kHandsAtWork };
 
 struct Watched {
   explicit Watched(int scenery) {
-    if (scenery != kBegin) {
-      for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
-                                       {"round_peg_1", "base.round_1"},
-                                       {"round_peg_2", "base.round_2"},
-                                       {"square_peg_1", "base.square_1"},
-                                       {"square_peg_2", "base.square_2"},
-                                       {"pendulum", "base.pendulum"},
-                                       {"separator", "base.separator"},
-                                       {"head", "pendulum.head"},
-                                       {"face_plate", "base.face_plate"}}) {
-        stage.Seat(part, site);
-      }
-    }
+    if (scenery != kBegin) stage.SeatAll();
     TruthPoses truth;
     for (const Track& track : stage.AllTracked().tracks) {
       truth.poses[track.name] = track.X_WO;

@@ -105,7 +105,8 @@ TEST(Vtb, TruthNamesPartsHandsAndWhatTouches) {
   bench.Tick();
   std::multimap<std::string, Message> outputs;
   while (outputs.count("TRUTH_POSES") == 0) outputs = bench.Tick();
-  const auto poses = Decoded<truth_poses_t>(outputs.find("TRUTH_POSES")->second);
+  const auto poses =
+      Decoded<truth_poses_t>(outputs.find("TRUTH_POSES")->second);
   std::set<std::string> names;
   for (const body_pose_t& body : poses.bodies) names.insert(body.name);
   EXPECT_EQ(names.size(), poses.bodies.size());

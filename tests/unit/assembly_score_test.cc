@@ -19,17 +19,7 @@ using testing::IsEmpty;
 class AssemblyScoreTest : public testing::Test {
  protected:
   AssemblyScoreTest() {
-    for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
-                                     {"round_peg_1", "base.round_1"},
-                                     {"round_peg_2", "base.round_2"},
-                                     {"square_peg_1", "base.square_1"},
-                                     {"square_peg_2", "base.square_2"},
-                                     {"pendulum", "base.pendulum"},
-                                     {"separator", "base.separator"},
-                                     {"head", "pendulum.head"},
-                                     {"face_plate", "base.face_plate"}}) {
-      stage_.Seat(part, site);
-    }
+    stage_.SeatAll();
     for (const Part& part : task_.parts.parts()) {
       poses_[part.name] = stage_.PoseOf(part.name);
     }

@@ -207,19 +207,31 @@ TEST(Lockstep, RefusesStrangersOldLivesAndOtherTypes) {
   EXPECT_FALSE(clock.Ack(ack));
 }
 
-TEST(Lockstep, NamesTheMessageThatIsMissing) {
-  const Roster roster = ToyRoster();
-  LockstepNode node(roster, "first", 5, ToyFactories(9).at("first"),
-                    {.send_data = [](const Message&) {},
-                     .send_ack =
-                         [](const ack_t&) {
-                         }});
+// The toy service "first", whose words nobody hears.
+LockstepNode MuteNode(int64_t nonce) {
+  return {ToyRoster(),
+          "first",
+          nonce,
+          ToyFactories(9).at("first"),
+          {.send_data = [](const Message&) {},
+           .send_ack =
+               [](const ack_t&) {
+               }}};
+}
+
+tick_t TickOfJoining(int64_t nonce) {
   tick_t tick{};
   tick.run = 1;
   tick.num_joined = 1;
   tick.joined.resize(1);
   tick.joined[0].name = "first";
-  tick.joined[0].nonce = 5;
+  tick.joined[0].nonce = nonce;
+  return tick;
+}
+
+TEST(Lockstep, NamesTheMessageThatIsMissing) {
+  LockstepNode node = MuteNode(5);
+  tick_t tick = TickOfJoining(5);
   node.PutTick(tick);
   EXPECT_TRUE(node.Advance());
   tick.joined.clear();
@@ -240,18 +252,8 @@ TEST(Lockstep, NamesTheMessageThatIsMissing) {
 }
 
 TEST(Lockstep, HearsASecondCellAndASecondLife) {
-  const Roster roster = ToyRoster();
-  LockstepNode node(roster, "first", 5, ToyFactories(9).at("first"),
-                    {.send_data = [](const Message&) {},
-                     .send_ack =
-                         [](const ack_t&) {
-                         }});
-  tick_t tick{};
-  tick.run = 1;
-  tick.num_joined = 1;
-  tick.joined.resize(1);
-  tick.joined[0].name = "first";
-  tick.joined[0].nonce = 5;
+  LockstepNode node = MuteNode(5);
+  tick_t tick = TickOfJoining(5);
   node.PutTick(tick);
   tick_t other = tick;
   other.run = 2;

@@ -33,20 +33,6 @@ class PredicateSensorTest : public testing::Test {
     return Truth::kUnknown;
   }
 
-  void SeatAll() {
-    for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
-                                     {"round_peg_1", "base.round_1"},
-                                     {"round_peg_2", "base.round_2"},
-                                     {"square_peg_1", "base.square_1"},
-                                     {"square_peg_2", "base.square_2"},
-                                     {"pendulum", "base.pendulum"},
-                                     {"separator", "base.separator"},
-                                     {"head", "pendulum.head"},
-                                     {"face_plate", "base.face_plate"}}) {
-      stage_.Seat(part, site);
-    }
-  }
-
   void ExpectReached(const std::string& goal) {
     const State state = Sensed();
     for (const Literal& literal : task_.domain.FindGoal(goal)->literals) {
@@ -75,13 +61,13 @@ TEST_F(PredicateSensorTest, AtFirstAllPartsAreClearAndAllHolesFree) {
 }
 
 TEST_F(PredicateSensorTest, InTheWholeAssemblyTheGoalIsReached) {
-  SeatAll();
+  stage_.SeatAll();
   ExpectReached("assembled");
 }
 
 // Also if symmetric parts are turned by any step of their symmetry.
 TEST_F(PredicateSensorTest, TurnedBySymmetryTheGoalIsReachedToo) {
-  SeatAll();
+  stage_.SeatAll();
   for (int i = 0; i < 4; ++i) {
     const Isometry3d quarter(
         AngleAxisd(i * std::numbers::pi / 2, Vector3d::UnitZ()));
@@ -155,7 +141,7 @@ TEST_F(PredicateSensorTest, WhatRestsOnAPartOrLiesOverItsGraspsCoversIt) {
 
 // As the domain's rules have it.
 TEST_F(PredicateSensorTest, OnlyTheFacePlateCoversWhatStandsOnTheBase) {
-  SeatAll();
+  stage_.SeatAll();
   const State with_plate = Sensed();
   stage_.StandAt("face_plate", 0.2, -0.4);
   const State without = Sensed();
@@ -195,7 +181,7 @@ TEST_F(PredicateSensorTest, APartCarriedAboveAHoleLeavesItFreeUntilItIsSeated) {
 
 // A hand that brushes what is seated changes no predicate.
 TEST_F(PredicateSensorTest, TouchingTheAssemblyChangesNothing) {
-  SeatAll();
+  stage_.SeatAll();
   const State before = Sensed();
   for (const std::string& part : task_.cast.parts()) {
     stage_.Hold(kRight, part);
@@ -205,7 +191,7 @@ TEST_F(PredicateSensorTest, TouchingTheAssemblyChangesNothing) {
 }
 
 TEST_F(PredicateSensorTest, WhatDependsOnAPartThatIsNotTrackedIsUnknown) {
-  SeatAll();
+  stage_.SeatAll();
   stage_.StandAt("face_plate", 0.2, -0.4);
   const KeyFrame frame = stage_.Frame();
   for (const auto state : {Track::State::kFrozen, Track::State::kLost}) {

@@ -42,20 +42,6 @@ class ProximityTest : public testing::Test {
     return touched;
   }
 
-  void SeatAll() {
-    for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
-                                     {"round_peg_1", "base.round_1"},
-                                     {"round_peg_2", "base.round_2"},
-                                     {"square_peg_1", "base.square_1"},
-                                     {"square_peg_2", "base.square_2"},
-                                     {"pendulum", "base.pendulum"},
-                                     {"separator", "base.separator"},
-                                     {"head", "pendulum.head"},
-                                     {"face_plate", "base.face_plate"}}) {
-      stage_.Seat(part, site);
-    }
-  }
-
   ShippedTask task_;
   Stage stage_{task_};
   std::map<std::string, Isometry3d> hands_ = {
@@ -85,7 +71,7 @@ TEST_F(ProximityTest, AtFirstPartsTouchTheTableAlone) {
 }
 
 TEST_F(ProximityTest, InTheAssemblyNeighboursTouch) {
-  SeatAll();
+  stage_.SeatAll();
   EXPECT_THAT(TouchedBy("base"),
               UnorderedElementsAre("shaft", "round_peg_1", "round_peg_2",
                                    "square_peg_1", "square_peg_2", "separator",
@@ -121,7 +107,7 @@ TEST_F(ProximityTest, WhatIsNotTrackedIsNotMeasured) {
 }
 
 TEST_F(ProximityTest, NoPartOfTheAssemblyContainsAnother) {
-  SeatAll();
+  stage_.SeatAll();
   for (const auto& [pair, proximity] : sensor_.Measure(Seen())) {
     EXPECT_LT(proximity.slack, 0) << pair.first << " " << pair.second;
   }

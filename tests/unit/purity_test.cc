@@ -27,6 +27,7 @@ const std::set<std::string> kAdapters = {
     "common/node/run_service.h",               // the flag that a signal sets
     "common/node/service_arguments.cc",        // what systemd names
     "common/node/service_manager.cc",          // the watchdog's time
+    "common/rendering/bands.cc",               // rows on all cores
     "services/camera_set/pcd_file.cc",         // reads recorded clouds
     "services/camera_set/recorded_frames.cc",  // reads recorded frames
     "services/cell/commands/demo.cc",          // starts the cell's processes

@@ -81,7 +81,7 @@ TEST(Rendering, NumberOfThreadsDoesNotChangeTheImage) {
   RenderParams params;
   params.samples_per_side = 2;
   const RenderImage one = Render(scene, BoxOnTable(), camera, params);
-  for (const int num_threads : {2, 5, 64}) {
+  for (const int num_threads : {0, 2, 5, 64}) {
     params.num_threads = num_threads;
     const RenderImage image = Render(scene, BoxOnTable(), camera, params);
     EXPECT_EQ(image.colour.pixels, one.colour.pixels);

@@ -87,6 +87,20 @@ class Stage {
          Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitX())
              .toRotationMatrix());
   }
+  /// Every part at one of its sites.
+  void SeatAll() {
+    for (const auto& [part, site] : {std::pair{"shaft", "base.shaft"},
+                                     {"round_peg_1", "base.round_1"},
+                                     {"round_peg_2", "base.round_2"},
+                                     {"square_peg_1", "base.square_1"},
+                                     {"square_peg_2", "base.square_2"},
+                                     {"pendulum", "base.pendulum"},
+                                     {"separator", "base.separator"},
+                                     {"head", "pendulum.head"},
+                                     {"face_plate", "base.face_plate"}}) {
+      Seat(part, site);
+    }
+  }
   /// At the site, off by X_SO.
   void Seat(const std::string& part, const std::string& site,
             const Eigen::Isometry3d& X_SO = Eigen::Isometry3d::Identity()) {
