@@ -13,6 +13,7 @@
 #include "cell/episode_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
+#include "common/bus/decode.h"
 #include "common/bus/stepper.h"
 
 namespace cell {
@@ -58,10 +59,9 @@ class Bench {
 
 template <class M>
 M Decoded(const Message& message) {
-  M m{};
-  const int size = static_cast<int>(message.bytes->size());
-  EXPECT_EQ(m.decode(message.bytes->data(), 0, size), size);
-  return m;
+  const auto decoded = Decode<M>(message);
+  EXPECT_TRUE(decoded) << message.channel;
+  return decoded.value_or(M{});
 }
 
 Message CommandOf(int8_t action, const std::string& demonstration,

@@ -45,14 +45,15 @@ class Traffic {
   std::optional<Message> Hear(const std::string& channel, Bytes bytes);
   /// What came on the control port.
   void HearControl(const std::string& channel, Bytes bytes);
-  void Hear(const Message& message);
-  void Hear(const health_t& health);
-  void Hear(const status_t& status);
 
   /// Of the period since the last call, that has lasted `seconds`.
   Report Take(double seconds);
 
  private:
+  void Hear(const Message& message);
+  void Hear(const health_t& health);
+  void Hear(const status_t& status);
+
   struct Count {
     int64_t messages = 0;
     int64_t bytes = 0;
