@@ -22,9 +22,8 @@ ArmPosture HomePosture(const ArmLayout& arm);
 
 /// The shapes of an arm and its hand, by name and in this order:
 /// "arm_<name>.plinth" (from the table to the base), "arm_<name>.base",
-/// "arm_<name>.link_1" .. "link_6" in the frames 1..6 of ur5.h, then
-/// "<gripper>.<box>" of the hand, each with its middle in its frame. The links
-/// are cylinders that hold those of a UR5.
+/// "arm_<name>.link_1" .. "link_6" in the frames 1..6 of ArmModel, then
+/// "<gripper>.<box>" of the hand, each with its middle in its frame.
 std::vector<Part> BodyPartsOf(const ArmLayout& arm);
 
 /// The boxes of a hand alone, "<hand>.<box>".
@@ -38,14 +37,6 @@ std::vector<Eigen::Isometry3d> BodyPosesOf(const ArmLayout& arm,
 /// The same by name, for drawing.
 std::map<std::string, Eigen::Isometry3d> NamedBodyPosesOf(
     const ArmLayout& arm, const ArmPosture& posture);
-
-/// Bodies that come before the hand's boxes in BodyPartsOf().
-inline constexpr size_t kNumArmBodies = 8;
-inline constexpr size_t kPlinthBody = 0, kBaseBody = 1, kFirstLinkBody = 2;
-
-/// True if two bodies of one arm, by their indices in BodyPartsOf(), may hit
-/// each other: neighbours, and the boxes of a hand among themselves, do not.
-bool MayCollide(size_t body_a, size_t body_b);
 
 /// The box that the fixed parts stand on, "pedestal", in its frame P.
 Part PedestalBody(const CellLayout::Pedestal& pedestal);

@@ -225,7 +225,7 @@ std::vector<ArmScene::Posed> ArmScene::Moving(size_t arm,
                                               const ArmPosture& posture) const {
   std::vector<Posed> moving =
       BodiesOf(arm, BodyPosesOf(layout().arms[arm], posture), posture.q);
-  moving.erase(moving.begin(), moving.begin() + kFirstLinkBody);
+  moving.erase(moving.begin(), moving.begin() + ArmModel::kFirstLinkBody);
   return moving;
 }
 
@@ -280,19 +280,20 @@ std::optional<BodyPair> ArmScene::FindTooNear(const std::string& arm,
                                               const ArmPosture& posture,
                                               const ClearanceRule& rule) const {
   const size_t index = ArmIndex(arm);
+  const ArmModel& model = *layout().arms[index].model;
   const std::vector<Posed> own =
       BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
   const std::vector<Posed> obstacles = Obstacles(index);
   const Query query(rule);
   // What is farthest out is most likely in the way.
-  for (size_t i = own.size(); i-- > kFirstLinkBody;) {
+  for (size_t i = own.size(); i-- > ArmModel::kFirstLinkBody;) {
     if (auto pair = query.AgainstTable(own[i])) return pair;
     for (const Posed& obstacle : obstacles) {
       if (auto pair = query.Against(own[i], obstacle)) return pair;
     }
     // What is held goes with the hand as the hand's boxes do.
-    for (size_t j = 0; j < std::min(i, kNumArmBodies); ++j) {
-      if (!MayCollide(j, i)) continue;
+    for (size_t j = 0; j < std::min(i, ArmModel::kNumBodies); ++j) {
+      if (!model.MayCollide(j, i)) continue;
       if (auto pair = query.AgainstOwn(own[i], own[j])) return pair;
     }
   }
@@ -330,7 +331,7 @@ std::optional<std::string> ArmScene::FindGrasped(
     double farthest = 0;
     for (size_t i = 0; i < places.size(); ++i) {
       if (!HandType::IsFinger(places[i])) continue;
-      const size_t body = kNumArmBodies + i;
+      const size_t body = ArmModel::kNumBodies + i;
       farthest = std::max(
           farthest,
           PartShape::Distance(shapes_->arm_solids[index][body].shape,

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include "common/arms/arm_scene.h"
-#include "common/arms/ur5.h"
 
 namespace cell {
 namespace {
 
 constexpr double kHomeClearance = 0.010;  // [m]
 constexpr double kUpright = 0.9999;       // cosine: its plinth is a box
-constexpr double kPayload = 5;            // [kg] of a UR5
 
 std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
                                             const ArmScene& scene) {
@@ -19,8 +17,9 @@ std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
     return key + ".base: lies below the table's top";
   }
   if (arm.X_WB.linear()(2, 2) < kUpright) return key + ".base: leans";
-  if (arm.tool_mass > kPayload) {
-    return fmt::format("{}.tool.mass: the arm carries {} kg", key, kPayload);
+  if (arm.tool_mass > arm.model->payload()) {
+    return fmt::format("{}.tool.mass: a {} carries {} kg", key,
+                       arm.model->name(), arm.model->payload());
   }
   for (const Eigen::Vector2d& p : {Eigen::Vector2d(arm.exchange.min()),
                                    Eigen::Vector2d(arm.exchange.max())}) {
@@ -28,7 +27,7 @@ std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
       return key + ".exchange: reaches out of the arm's workspace";
     }
   }
-  if (!ur5::IsWithinLimits(arm.home)) {
+  if (!arm.model->IsWithinLimits(arm.home)) {
     return key + ".home_deg: beyond the joint limits";
   }
   if (const auto why =

@@ -5,8 +5,6 @@
 #include <limits>
 #include <random>
 
-#include "common/arms/ur5.h"
-
 namespace cell {
 namespace {
 
@@ -128,11 +126,11 @@ class Search {
   // Uniform about the way from start to goals: far turns are of no use.
   Joints Sample(const Joints& start, const std::vector<Joints>& goals) {
     constexpr double kRoom = 1.2;  // [rad]
-    const double limit = ur5::kJointLimit - params_.joint_margin;
     std::uniform_int_distribution<size_t> choice(0, goals.size() - 1);
     const Joints& goal = goals[choice(random_)];
     Joints q;
     for (int i = 0; i < 6; ++i) {
+      const double limit = params_.max_angle[i] - params_.joint_margin;
       const double low = std::min(start[i], goal[i]) - kRoom;
       const double high = std::max(start[i], goal[i]) + kRoom;
       q[i] = std::uniform_real_distribution<double>(
@@ -185,10 +183,17 @@ size_t IndexOf(const std::vector<Joints>& goals, const Joints& q) {
 
 }  // namespace
 
+PathPlannerParams PathPlannerParams::For(const ArmModel& model) {
+  PathPlannerParams params;
+  params.levers = model.levers();
+  params.max_angle = model.limits().angle;
+  return params;
+}
+
 std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,
                                           const PathPlannerParams& params) {
-  const double way = Joints(params.levers.data()).dot((b - a).cwiseAbs());
+  const double way = params.levers.dot((b - a).cwiseAbs());
   const int num =
       std::max(1, static_cast<int>(std::ceil(way / params.tip_step)));
   // The end first: it is where most edges fail.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,12 +20,17 @@ struct PathPlannerParams {
   /// less than twice the clearance that the checks want, and nothing is missed.
   double tip_step = 0.015;
   /// [m] Of the fingertips about each axis.
-  std::array<double, 6> levers = {0.90, 0.90, 0.75, 0.45, 0.40, 0.15};
+  Joints levers{{0.90, 0.90, 0.75, 0.45, 0.40, 0.15}};
+  /// [rad] Of each joint in either direction.
+  Joints max_angle = Joints::Constant(2 * std::numbers::pi);
   double tree_step = 0.35;    ///< [rad] by which a tree grows
   int max_iterations = 2000;  ///< of the trees
   int shortcut_rounds = 60;
   double joint_margin = 0.05;  ///< [rad] kept from the limits
   uint64_t seed = 1;
+
+  /// With the levers and limits of a kind of arm.
+  static PathPlannerParams For(const ArmModel& model);
 };
 
 /// A way through joint space, or why there is none.

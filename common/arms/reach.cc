@@ -122,6 +122,7 @@ Choices<TransferChoice> Reach::Transfers(const std::string& part,
                                          const PlaceTarget& target,
                                          const Joints& seed,
                                          size_t max_choices) const {
+  const ArmModel& model = *arm_->model;
   const Choices<GraspChoice> grasps = Grasps(part, seed);
   Choices<TransferChoice> choices;
   choices.reason = grasps.reason;
@@ -132,8 +133,8 @@ Choices<TransferChoice> Reach::Transfers(const std::string& part,
                    grasp.q_approach);
     if (choices.reason.empty()) choices.reason = places.reason;
     for (const PlaceChoice& place : places.list) {
-      const bool is_same =
-          ur5::BranchOf(grasp.q_grasp) == ur5::BranchOf(place.q_place);
+      const bool is_same = model.ConfigurationOf(grasp.q_grasp) ==
+                           model.ConfigurationOf(place.q_place);
       (is_same ? choices.list : others).push_back({grasp, place, is_same});
       if (is_same) break;
     }

@@ -18,9 +18,9 @@ Isometry3d TurnedAboutZ(double angle) {
 }
 
 // A long way from the seed is bad, and so is a joint near its limit.
-double CostOf(const Joints& q, const Joints& seed) {
+double CostOf(const ArmModel& arm, const Joints& q, const Joints& seed) {
   constexpr double kLimitWeight = 0.2;  // [rad^2]
-  return (q - seed).norm() + kLimitWeight / std::max(ur5::LimitMargin(q), 0.01);
+  return (q - seed).norm() + kLimitWeight / std::max(arm.LimitMargin(q), 0.01);
 }
 
 template <class Candidates>
@@ -40,13 +40,14 @@ void ReachSearch::Fail(Stage stage, const std::string& reason) {
 
 // True if joint 6, at a whole turn from where it is, can turn by `turn`.
 bool ReachSearch::FindRoom(Joints* q, double turn) const {
-  const double limit = ur5::kJointLimit - params_.line.joint_margin;
+  const double limit =
+      arm_.model->limits().angle[5] - params_.line.joint_margin;
   // Of the copies of joint 6 the first that is near enough to its place.
   for (const double whole : {0.0, 2 * kPi, -2 * kPi}) {
     const double begin = (*q)[5] + whole;
     if (std::abs(begin) > limit || std::abs(begin + turn) > limit) continue;
     (*q)[5] = begin;
-    return (*q).cwiseAbs().maxCoeff() <= limit;
+    return arm_.model->LimitMargin(*q) >= params_.line.joint_margin;
   }
   return false;
 }
@@ -63,10 +64,10 @@ std::vector<std::vector<Joints>> ReachSearch::Tracks(
     return tracks;
   }
   const auto solutions =
-      ur5::SolveInverse(FlangePoseFor(arm_, X_WG_end), seed[5]);
+      arm_.model->SolveInverse(FlangePoseFor(arm_, X_WG_end), seed);
   if (solutions.empty()) Fail(Stage::kReach, "out of reach");
   for (const Joints& solution : solutions) {
-    Joints q = ur5::NearestTo(seed, solution);
+    Joints q = arm_.model->NearestTo(seed, solution);
     if (!FindRoom(&q, turn)) {
       Fail(Stage::kLimits, "beyond a joint limit");
       continue;
@@ -118,7 +119,7 @@ std::vector<ReachSearch::Candidate<GraspChoice>> ReachSearch::ToGrasp(
     for (auto& track : Tracks(X_WG_begin, X_WG, seed, 0)) {
       choice.q_grasp = track.front();
       choice.q_approach = track.back();
-      choice.cost = CostOf(choice.q_approach, seed) + preference;
+      choice.cost = CostOf(*arm_.model, choice.q_approach, seed) + preference;
       candidates.push_back({choice, std::move(track)});
     }
   };
@@ -161,7 +162,7 @@ std::vector<ReachSearch::Candidate<PlaceChoice>> ReachSearch::ToPlace(
       choice.q_place = track.front();
       choice.q_turned = choice.q_place + turn * Joints::Unit(5);
       choice.q_approach = track.back();
-      choice.cost = CostOf(choice.q_approach, seed);
+      choice.cost = CostOf(*arm_.model, choice.q_approach, seed);
       candidates.push_back({choice, std::move(track)});
     }
   }

@@ -34,11 +34,12 @@ Isometry3d PoseBetween(const Isometry3d& X_WA, const Isometry3d& X_WB,
 
 std::optional<Joints> TrackPose(const ArmLayout& arm, const Isometry3d& X_WG,
                                 const Joints& seed) {
-  const ur5::Branch branch = ur5::BranchOf(seed);
-  for (const Joints& q : ur5::SolveInverse(FlangePoseFor(arm, X_WG), seed[5])) {
-    if (ur5::BranchOf(q) != branch) continue;
-    const Joints near = ur5::NearestTo(seed, q);
-    if (ur5::IsWithinLimits(near)) return near;
+  const ArmModel& model = *arm.model;
+  const IkConfiguration configuration = model.ConfigurationOf(seed);
+  for (const Joints& q : model.SolveInverse(FlangePoseFor(arm, X_WG), seed)) {
+    if (model.ConfigurationOf(q) != configuration) continue;
+    const Joints near = model.NearestTo(seed, q);
+    if (model.IsWithinLimits(near)) return near;
   }
   return std::nullopt;
 }
@@ -57,7 +58,7 @@ StraightLine TrackLine(const ArmLayout& arm, const Joints& start,
   };
   const Isometry3d X_WG_start = GripperPose(arm, start);
   const int num_steps = NumSteps(X_WG_start, X_WG, params.step);
-  if (!ur5::IsRegular(start, params.bounds)) return fails("near a singularity");
+  if (arm.model->IsNearSingularity(start)) return fails("near a singularity");
   StraightLine line{{start}, ""};
   for (int i = 1; i <= num_steps; ++i) {
     const Joints& last = line.track.back();
@@ -67,10 +68,10 @@ StraightLine TrackLine(const ArmLayout& arm, const Joints& start,
     if ((*q - last).cwiseAbs().maxCoeff() > params.max_jump) {
       return fails("at a joint limit");
     }
-    if (ur5::LimitMargin(*q) < params.joint_margin) {
+    if (arm.model->LimitMargin(*q) < params.joint_margin) {
       return fails("at a joint limit");
     }
-    if (!ur5::IsRegular(*q, params.bounds)) return fails("near a singularity");
+    if (arm.model->IsNearSingularity(*q)) return fails("near a singularity");
     line.track.push_back(*q);
   }
   return line;

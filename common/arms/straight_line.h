@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "common/arms/ur5.h"
 #include "common/layout/arm_layout.h"
 
 namespace cell {
@@ -15,13 +14,14 @@ Eigen::Isometry3d PoseBetween(const Eigen::Isometry3d& X_WA,
                               const Eigen::Isometry3d& X_WB, double share);
 
 /// The joints that bring the gripper to X_WG and are nearest to `seed`, in its
-/// branch. Nothing if there are none within the limits.
+/// configuration. Nothing if there are none within the limits.
 std::optional<Joints> TrackPose(const ArmLayout& arm,
                                 const Eigen::Isometry3d& X_WG,
                                 const Joints& seed);
 
 /// The joints that have the gripper `height` [m] above where `q` has it, in the
-/// same branch: what a path over obstacles may pass. Nothing if out of reach.
+/// same configuration: what a path over obstacles may pass. Nothing if out of
+/// reach.
 std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,
                                const Joints& q);
 
@@ -36,12 +36,11 @@ struct StraightLineParams {
   double step = 0.010;         ///< [m] and, times 10, [rad] of the gripper
   double max_jump = 0.35;      ///< [rad] of any joint in a step
   double joint_margin = 0.05;  ///< [rad] kept from the limits
-  ur5::RegularityBounds bounds;
 };
 
-/// From where `start` has the gripper to X_WG, in the branch of `start`: each
-/// step within the joint limits, regular and without a jump. Collisions are not
-/// looked at.
+/// From where `start` has the gripper to X_WG, in the configuration of `start`:
+/// each step within the joint limits, away from singularities and without a
+/// jump. Collisions are not looked at.
 StraightLine TrackLine(const ArmLayout& arm, const Joints& start,
                        const Eigen::Isometry3d& X_WG,
                        const StraightLineParams& params = {});

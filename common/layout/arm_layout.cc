@@ -1,10 +1,14 @@
 #include "common/layout/arm_layout.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <numbers>
 #include <vector>
 
+#include "common/kinematics/arm_models.h"
 #include "common/layout/vectors.h"
 
 namespace cell {
@@ -33,12 +37,23 @@ void LoadTool(const Config& config,
   arm->p_F_tool.z() = config.Number("centre_of_mass", 0, 1);
 }
 
+std::shared_ptr<const ArmModel> LoadModel(const Config& config) {
+  const auto name = config.Get<std::string>("model");
+  auto model = FindArmModel(name);
+  if (model == nullptr) {
+    config["model"].Fail(fmt::format("there is no arm model '{}', but: {}",
+                                     name, fmt::join(ArmModelNames(), ", ")));
+  }
+  return model;
+}
+
 }  // namespace
 
 ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
                                 const std::map<std::string, HandType>& types) {
   ArmLayout arm;
   arm.name = name;
+  arm.model = LoadModel(config);
   arm.X_WB = PoseFromConfig(config["base"]);
   const std::vector<double> home = config.Numbers("home_deg", 6);
   for (int i = 0; i < 6; ++i) {

@@ -2,24 +2,24 @@
 
 #include <Eigen/Geometry>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/config/config.h"
+#include "common/kinematics/arm_model.h"
 #include "common/layout/hand_type.h"
 
 namespace cell {
 
-/// Joint angles [rad] of a 6-axis arm, from the base to the flange.
-using Joints = Eigen::Matrix<double, 6, 1>;
-
-/// One arm of the cell, a UR5, and what it carries: cell.yaml's `arms`. Frames:
+/// One arm of the cell and what it carries: cell.yaml's `arms`. Frames:
 /// B of its base, F of the flange (z out of it), S of the force-torque sensor,
 /// G of the gripper (Grasp: approach along -z, fingers close along x).
 struct ArmLayout {
   std::string name;     ///< "right": its channels end in _RIGHT
   std::string gripper;  ///< the name of its hand among all hands
   HandType hand;
+  std::shared_ptr<const ArmModel> model;  ///< never null
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Joints home = Joints::Zero();
   Eigen::Isometry3d X_FG = Eigen::Isometry3d::Identity();

@@ -7,7 +7,6 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/arms/cell_check.h"
-#include "common/arms/ur5.h"
 #include "common/sec/track.h"
 
 namespace cell {
@@ -18,16 +17,17 @@ constexpr int32_t kReportPeriod = 12;         // ticks
 constexpr int64_t kSetpointUs = 4 * kTickUs;  // how long one may be followed
 constexpr int64_t kFreshUs = 2 * kTickUs;     // a reading of the sensor
 
-std::optional<ArmReading> FromMessage(const arm_state_t& message) {
+std::optional<ArmReading> FromMessage(const arm_state_t& message,
+                                      const ArmModel& model) {
   ArmReading reading;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < kNumJoints; ++i) {
     reading.q[i] = message.position[i];
     reading.dq[i] = message.velocity[i];
-    if (!(std::abs(reading.q[i]) <= ur5::kJointLimit) ||
-        !(std::abs(reading.dq[i]) <= 2 * ur5::kSpeedLimit)) {
+    if (!(std::abs(reading.dq[i]) <= 2 * model.limits().speed[i])) {
       return std::nullopt;
     }
   }
+  if (!model.IsWithinLimits(reading.q)) return std::nullopt;
   if (!(message.opening >= 0 && message.opening < 1) ||
       message.grip < arm_state_t::OPEN ||
       message.grip > arm_state_t::GRIPPING ||
@@ -94,15 +94,19 @@ bool RobotArm::OnEpisode(const episode_t& message) {
          message.phase <= episode_t::RUNNING;
 }
 
+const ArmModel& RobotArm::ModelOf(const std::string& arm) const {
+  return *params_.worker.layout.FindArm(arm)->model;
+}
+
 bool RobotArm::OnState(const arm_state_t& message) {
-  auto reading = FromMessage(message);
+  auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) return false;
   reading_ = *std::move(reading);
   return true;
 }
 
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
-  const auto reading = FromMessage(message);
+  const auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) return false;
   worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening},
                     reading->is_gripping);

@@ -36,6 +36,7 @@ class RobotArm final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
+  const ArmModel& ModelOf(const std::string& arm) const;
   bool OnState(const arm_state_t& message);
   bool OnOther(const std::string& arm, const arm_state_t& message);
   bool OnWrench(const wrench_t& message);

@@ -1,7 +1,6 @@
 #include "services/robot_arm/tool_kinematics.h"
 
 #include "common/arms/arm_bodies.h"
-#include "common/arms/ur5.h"
 
 namespace cell {
 namespace {
@@ -15,7 +14,7 @@ Eigen::Isometry3d ToolKinematics::GripperPose(const Joints& q) const {
 }
 
 Eigen::Isometry3d ToolKinematics::SensorPose(const Joints& q) const {
-  return layout_.X_WB * ur5::FlangePose(q) * layout_.X_FS.value();
+  return layout_.X_WB * layout_.model->FlangePose(q) * layout_.X_FS.value();
 }
 
 std::optional<Joints> ToolKinematics::JointsNear(const Eigen::Isometry3d& X_WG,
@@ -23,10 +22,10 @@ std::optional<Joints> ToolKinematics::JointsNear(const Eigen::Isometry3d& X_WG,
   std::optional<Joints> nearest;
   double least = kMaxStep;
   for (const Joints& solution :
-       ur5::SolveInverse(FlangePoseFor(layout_, X_WG), q[5])) {
-    const Joints near = ur5::NearestTo(q, solution);
+       layout_.model->SolveInverse(FlangePoseFor(layout_, X_WG), q)) {
+    const Joints near = layout_.model->NearestTo(q, solution);
     const double jump = (near - q).cwiseAbs().maxCoeff();
-    if (jump > least || !ur5::IsWithinLimits(near)) continue;
+    if (jump > least || !layout_.model->IsWithinLimits(near)) continue;
     least = jump;
     nearest = near;
   }

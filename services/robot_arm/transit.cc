@@ -79,6 +79,9 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
   // It may begin and end nearer to the border, but goes no further out.
   const double border =
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
+  const JointRates limits{
+      std::min(motion.transit_speed, layout.model->limits().speed.minCoeff()),
+      motion.transit_acceleration};
   std::string reason;
   // Where it stands it stands: what is near there must not forbid to leave.
   for (const double clearance : {motion.clearance, kNear, kTouching}) {
@@ -87,7 +90,7 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
     const auto ask = AskScene(scene, arm, from, rule);
     const bool is_last = clearance == kTouching;
     if (!is_last && ask(from.q)) continue;
-    PathPlannerParams params;
+    PathPlannerParams params = PathPlannerParams::For(*layout.model);
     params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
     const auto why_blocked =
         [&](const Joints& q) -> std::optional<std::string> {
@@ -98,13 +101,11 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
       return ask(q);
     };
     if (const auto path = UpAndOver(from.q, to, vias, why_blocked, params)) {
-      return JointTrajectory(
-          *path, {motion.transit_speed, motion.transit_acceleration});
+      return JointTrajectory(*path, limits);
     }
     const JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
     if (path) {
-      return JointTrajectory(
-          path.waypoints, {motion.transit_speed, motion.transit_acceleration});
+      return JointTrajectory(path.waypoints, limits);
     }
     if (reason.empty()) reason = path.reason;
   }

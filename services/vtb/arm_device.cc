@@ -6,7 +6,6 @@
 #include "cell/arm_state_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/arms/arm_bodies.h"
-#include "common/arms/ur5.h"
 
 namespace cell {
 namespace {
@@ -27,6 +26,8 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
       suffix_(ChannelSuffix(layout.name)),
       servo_(params.servo, layout.home),
       gripper_(layout.gripper, layout.hand, shapes, params.gripper) {
+  params_.servo.max_speed = layout.model->limits().speed;
+  servo_ = ArmServo(params_.servo, layout.home);
   for (const Part& body : BodyPartsOf(layout)) body_names_.push_back(body.name);
   bus.Subscribe<arm_setpoint_t>(
       "ARM_SETPOINT_" + suffix_,
@@ -48,8 +49,8 @@ bool ArmDevice::OnSetpoint(const arm_setpoint_t& message) {
   Joints q;
   for (int i = 0; i < 6; ++i) {
     q[i] = message.position[i];
-    if (!(std::abs(q[i]) <= ur5::kJointLimit)) return false;
   }
+  if (!layout_.model->IsWithinLimits(q)) return false;
   if (!std::isfinite(message.opening)) return false;
   servo_.Command(q, message.clear_stop != 0);
   gripper_.Command(message.opening, message.grip);
@@ -57,7 +58,7 @@ bool ArmDevice::OnSetpoint(const arm_setpoint_t& message) {
 }
 
 Isometry3d ArmDevice::FlangePose() const {
-  return layout_.X_WB * ur5::FlangePose(servo_.position());
+  return layout_.X_WB * layout_.model->FlangePose(servo_.position());
 }
 
 void ArmDevice::Update(double dt, World& world) {
@@ -120,7 +121,7 @@ std::vector<BodyPose> ArmDevice::Bodies() const {
   ArmPosture posture = HomePosture(layout_);
   posture.q = servo_.position();
   const std::vector<Isometry3d> X_WB = BodyPosesOf(layout_, posture);
-  for (size_t i = 0; i < kNumArmBodies; ++i) {
+  for (size_t i = 0; i < ArmModel::kNumBodies; ++i) {
     bodies.push_back({body_names_[i], X_WB[i]});
   }
   return bodies;

@@ -45,16 +45,17 @@ void ArmServo::Update(double dt, double force) {
 void ArmServo::MoveTowards(double dt) {
   const double decay = std::exp(-omega_ * dt);
   for (int i = 0; i < q_.size(); ++i) {
+    const double max_speed = params_.max_speed[i];
     const double error = q_[i] - goal_[i];
     const double rise = v_[i] + omega_ * error;
     double next = goal_[i] + (error + rise * dt) * decay;
     double speed = (v_[i] - omega_ * rise * dt) * decay;
-    const double reach = params_.max_speed * dt;
+    const double reach = max_speed * dt;
     if (std::abs(next - q_[i]) > reach) {
       next = q_[i] + std::copysign(reach, next - q_[i]);
-      speed = std::copysign(params_.max_speed, next - q_[i]);
+      speed = std::copysign(max_speed, next - q_[i]);
     }
-    v_[i] = std::clamp(speed, -params_.max_speed, params_.max_speed);
+    v_[i] = std::clamp(speed, -max_speed, max_speed);
     q_[i] = next;
   }
 }

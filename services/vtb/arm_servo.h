@@ -15,11 +15,11 @@ namespace cell {
 class ArmServo {
  public:
   struct Params {
-    double bandwidth = 12;       ///< [Hz] at which it follows to -3 dB
-    int dead_ticks = 1;          ///< from a set-point to its effect
-    int patience_ticks = 5;      ///< without a set-point, before it holds
-    double max_speed = 3.14159;  ///< [rad/s] of each joint
-    double stop_force = 150;     ///< [N] on the tool: protective stop
+    double bandwidth = 12;   ///< [Hz] at which it follows to -3 dB
+    int dead_ticks = 1;      ///< from a set-point to its effect
+    int patience_ticks = 5;  ///< without a set-point, before it holds
+    Joints max_speed = Joints::Constant(3.14);  ///< [rad/s]
+    double stop_force = 150;  ///< [N] on the tool: protective stop
   };
   enum class State : int8_t { kFollowing = 0, kHolding = 1, kStopped = 2 };
 

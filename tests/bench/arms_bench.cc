@@ -72,8 +72,11 @@ BENCHMARK(FindGrasps)->Unit(benchmark::kMillisecond);
 
 void SolveTheInverse(benchmark::State& state) {
   const Cell cell;
-  const Eigen::Isometry3d X_BF = ur5::FlangePose(cell.arm().home);
-  for (auto _ : state) benchmark::DoNotOptimize(ur5::SolveInverse(X_BF));
+  const Eigen::Isometry3d X_BF = cell.arm().model->FlangePose(cell.arm().home);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        cell.arm().model->SolveInverse(X_BF, cell.arm().home));
+  }
 }
 BENCHMARK(SolveTheInverse)->Unit(benchmark::kMicrosecond);
 

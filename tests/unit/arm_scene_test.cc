@@ -6,7 +6,6 @@
 #include <random>
 
 #include "common/arms/straight_line.h"
-#include "common/arms/ur5.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -229,15 +228,15 @@ TEST_F(ArmSceneTest, MissesNothingAndSeesNothingThatIsNotThere) {
   for (int i = 0; i < 400; ++i) {
     const auto q = TrackPose(
         Arm("right"), Down(x(random), y(random), z(random)), Arm("right").home);
-    if (!q || !ur5::IsRegular(*q)) continue;
+    if (!q || Arm("right").model->IsNearSingularity(*q)) continue;
     const ArmPosture posture{*q, "two_finger_pinch", 0.06};
     const auto X_W = BodyPosesOf(Arm("right"), posture);
     bool is_blocked = false;
-    for (size_t b = kFirstLinkBody; b < bodies.size(); ++b) {
+    for (size_t b = ArmModel::kFirstLinkBody; b < bodies.size(); ++b) {
       is_blocked = is_blocked || bodies[b].LowestZ(X_W[b]) < clearance;
       for (size_t c = 0; c < b; ++c) {
         is_blocked = is_blocked ||
-                     (MayCollide(c, b) &&
+                     (Arm("right").model->MayCollide(c, b) &&
                       PartShape::Distance(bodies[b], X_W[b], bodies[c], X_W[c],
                                           1) < ArmScene::kSelfClearance);
       }

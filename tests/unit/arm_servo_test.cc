@@ -13,7 +13,7 @@ constexpr double kTick = 0.008;
 ArmServo::Params Immediate() {
   ArmServo::Params params;
   params.dead_ticks = 0;
-  params.max_speed = 1000;
+  params.max_speed.setConstant(1000);
   return params;
 }
 
@@ -47,8 +47,8 @@ TEST(ArmServo, NeverMovesFasterThanItsJointsMay) {
     servo.Command(Joints::Constant(3), false);
     servo.Update(kTick, 0);
     EXPECT_LE((servo.position() - before).cwiseAbs().maxCoeff(),
-              params.max_speed * kTick + 1e-12);
-    EXPECT_LE(servo.velocity().cwiseAbs().maxCoeff(), params.max_speed);
+              params.max_speed[0] * kTick + 1e-12);
+    EXPECT_LE(servo.velocity().cwiseAbs().maxCoeff(), params.max_speed[0]);
     before = servo.position();
   }
   EXPECT_NEAR(servo.position()[5], 3, 1e-3);

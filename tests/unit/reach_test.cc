@@ -151,7 +151,7 @@ TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
       Joints turned = place.q_place;
       turned[5] -= turn;
       EXPECT_TRUE(turned.isApprox(place.q_turned, 1e-12));
-      EXPECT_TRUE(ur5::IsWithinLimits(turned));
+      EXPECT_TRUE(Arm("right").model->IsWithinLimits(turned));
       const Isometry3d X_WG = GripperPose(Arm("right"), place.q_place);
       const Eigen::AngleAxisd about(turn, Eigen::Vector3d::UnitZ());
       EXPECT_TRUE(GripperPose(Arm("right"), turned)
@@ -168,28 +168,30 @@ TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
       "beyond a joint limit");
 }
 
-TEST_F(ReachTest, TransfersStayInOneBranchWhereTheyCan) {
+TEST_F(ReachTest, TransfersStayInOneConfigurationWhereTheyCan) {
   scene_.PutPart("pendulum", Standing(0.10, -0.45, 0));
   const auto transfers =
       Reach(scene_, "right")
           .Transfers("pendulum", At("base.pendulum"), Arm("right").home);
   ASSERT_TRUE(transfers) << transfers.reason;
+  const ArmModel& model = *Arm("right").model;
   for (const TransferChoice& transfer : transfers.list) {
     EXPECT_EQ(transfer.is_same_branch,
-              ur5::BranchOf(transfer.grasp.q_grasp) ==
-                  ur5::BranchOf(transfer.place.q_place));
+              model.ConfigurationOf(transfer.grasp.q_grasp) ==
+                  model.ConfigurationOf(transfer.place.q_place));
   }
   EXPECT_TRUE(transfers.list.front().is_same_branch);
 }
 
-TEST_F(ReachTest, AStraightLineStaysInItsBranchAndSaysWhereItEnds) {
+TEST_F(ReachTest, AStraightLineStaysInItsConfigurationAndSaysWhereItEnds) {
   const ArmLayout& arm = Arm("right");
   const Isometry3d X_WG = GripperPose(arm, arm.home);
   const auto line =
       TrackLine(arm, arm.home, Eigen::Translation3d(0, -0.1, -0.1) * X_WG);
   ASSERT_TRUE(line) << line.reason;
   for (const Joints& q : line.track) {
-    EXPECT_EQ(ur5::BranchOf(q), ur5::BranchOf(arm.home));
+    EXPECT_EQ(arm.model->ConfigurationOf(q),
+              arm.model->ConfigurationOf(arm.home));
     EXPECT_TRUE(GripperPose(arm, q).linear().isApprox(X_WG.linear(), 1e-6));
   }
   EXPECT_FALSE(TrackLine(arm, arm.home, Eigen::Translation3d(-2, 0, 0) * X_WG));

@@ -25,8 +25,8 @@ CollisionCheck::CollisionCheck(const CellLayout& layout,
   for (const ArmLayout& arm : layout.arms) {
     const size_t plinth = bodies_.size();
     for (const Part& body : BodyPartsOf(arm)) Add(body);
-    arms_.push_back({arm.name, plinth, plinth + kFirstLinkBody,
-                     plinth + kNumArmBodies, bodies_.size()});
+    arms_.push_back({arm.name, plinth, plinth + ArmModel::kFirstLinkBody,
+                     plinth + ArmModel::kNumBodies, bodies_.size(), arm.model});
   }
   first_of_hands_ = bodies_.size();
   for (const CellLayout::Hand& hand : layout.hands) {
@@ -105,7 +105,7 @@ void CollisionCheck::LookAround(const Arm& arm, size_t body,
 void CollisionCheck::LookAtItself(const Arm& arm) {
   for (size_t body = arm.first_link; body < arm.end; ++body) {
     for (size_t inner = arm.plinth; inner < body; ++inner) {
-      if (MayCollide(inner - arm.plinth, body - arm.plinth)) {
+      if (arm.model->MayCollide(inner - arm.plinth, body - arm.plinth)) {
         Report(arm, body, inner);
       }
     }

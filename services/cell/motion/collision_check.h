@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ class CollisionCheck {
   struct Arm {
     std::string name;
     size_t plinth = 0, first_link = 0, first_box = 0, end = 0;
+    std::shared_ptr<const ArmModel> model;
   };
 
   void Add(const Part& shape);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "common/arms/arm_bodies.h"
-#include "common/arms/ur5.h"
 #include "common/bus/bus.h"
 
 namespace cell {
@@ -25,6 +24,7 @@ std::string JointName(int index) {
 }  // namespace
 
 std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
+  const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
   Joints q;
   double speed = 0;
@@ -32,11 +32,11 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
     q[i] = state.position[i];
     speed = std::max(speed, std::abs(state.velocity[i]));
     // Not a number is beyond every limit.
-    if (!(std::abs(q[i]) <= ur5::kJointLimit + kRounding)) {
+    if (!(std::abs(q[i]) <= limits.angle[i] + kRounding)) {
       breaches.push_back({Kind::kPosition, JointName(i),
                           fmt::format("is at {:.3f} rad", q[i])});
     }
-    if (!(std::abs(state.velocity[i]) <= ur5::kSpeedLimit + kRounding)) {
+    if (!(std::abs(state.velocity[i]) <= limits.speed[i] + kRounding)) {
       breaches.push_back(
           {Kind::kSpeed, JointName(i),
            fmt::format("turns at {:.2f} rad/s", std::abs(state.velocity[i]))});
@@ -57,10 +57,11 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
 
 std::vector<LimitCheck::Breach> LimitCheck::Take(
     const arm_setpoint_t& setpoint) {
+  const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
   for (int i = 0; i < 6; ++i) {
     const double goal = setpoint.position[i];
-    if (!(std::abs(goal) <= ur5::kJointLimit + kRounding)) {
+    if (!(std::abs(goal) <= limits.angle[i] + kRounding)) {
       breaches.push_back({Kind::kPosition, "set-point of " + JointName(i),
                           fmt::format("is {:.3f} rad", goal)});
     }
@@ -71,7 +72,7 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(
     }
     const int32_t num_ticks = setpoint.header.tick - last_->header.tick;
     const double step = std::abs(goal - last_->position[i]);
-    if (!(step <= ur5::kSpeedLimit * kTick * num_ticks + kRounding)) {
+    if (!(step <= limits.speed[i] * kTick * num_ticks + kRounding)) {
       breaches.push_back({Kind::kSetpoint, "set-point of " + JointName(i),
                           fmt::format("jumps by {:.4f} rad in {} ms", step,
                                       num_ticks * kTickUs / 1000)});
