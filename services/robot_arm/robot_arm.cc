@@ -7,6 +7,7 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/arms/cell_check.h"
+#include "common/kinematics/joint_values.h"
 #include "common/sec/track.h"
 
 namespace cell {
@@ -19,15 +20,12 @@ constexpr int64_t kFreshUs = 2 * kTickUs;     // a reading of the sensor
 
 std::optional<ArmReading> FromMessage(const arm_state_t& message,
                                       const ArmModel& model) {
-  ArmReading reading;
-  for (int i = 0; i < kNumJoints; ++i) {
-    reading.q[i] = message.position[i];
-    reading.dq[i] = message.velocity[i];
-    if (!(std::abs(reading.dq[i]) <= 2 * model.limits().speed[i])) {
-      return std::nullopt;
-    }
+  const auto q = JointsFromMessage(message.position);
+  const auto dq = JointsFromMessage(message.velocity);
+  if (!q || !dq || !model.IsWithinLimits(*q) ||
+      !(dq->cwiseAbs().array() <= 2 * model.limits().speed.array()).all()) {
+    return std::nullopt;
   }
-  if (!model.IsWithinLimits(reading.q)) return std::nullopt;
   if (!(message.opening >= 0 && message.opening < 1) ||
       message.grip < arm_state_t::OPEN ||
       message.grip > arm_state_t::GRIPPING ||
@@ -35,6 +33,9 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message,
       message.servo > arm_state_t::STOPPED) {
     return std::nullopt;
   }
+  ArmReading reading;
+  reading.q = *q;
+  reading.dq = *dq;
   reading.opening = message.opening;
   reading.stance = message.stance;
   reading.is_gripping = message.grip == arm_state_t::GRIPPING;
@@ -198,7 +199,7 @@ void RobotArm::PublishSetpoint(const ArmCommand& command) {
   arm_setpoint_t message{};
   message.header.utime = bus_.now();
   message.deadline_utime = bus_.now() + kSetpointUs;
-  std::copy_n(command.q.data(), 6, message.position);
+  ToMessage(command.q, &message.num_joints, &message.position);
   message.opening = command.opening;
   message.grip = command.grip;
   // The operator has resumed: the cell was held, and is not any more.

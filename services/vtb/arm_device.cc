@@ -6,6 +6,7 @@
 #include "cell/arm_state_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/arms/arm_bodies.h"
+#include "common/kinematics/joint_values.h"
 
 namespace cell {
 namespace {
@@ -46,13 +47,10 @@ void ArmDevice::Reset(World& world) {
 
 bool ArmDevice::OnSetpoint(const arm_setpoint_t& message) {
   if (bus_.now() > message.deadline_utime) return false;
-  Joints q;
-  for (int i = 0; i < 6; ++i) {
-    q[i] = message.position[i];
-  }
-  if (!layout_.model->IsWithinLimits(q)) return false;
+  const auto q = JointsFromMessage(message.position);
+  if (!q || !layout_.model->IsWithinLimits(*q)) return false;
   if (!std::isfinite(message.opening)) return false;
-  servo_.Command(q, message.clear_stop != 0);
+  servo_.Command(*q, message.clear_stop != 0);
   gripper_.Command(message.opening, message.grip);
   return true;
 }
@@ -70,8 +68,8 @@ void ArmDevice::Update(double dt, World& world) {
 void ArmDevice::Publish(const World& world) {
   arm_state_t state{};
   state.header.utime = bus_.now();
-  std::copy_n(servo_.position().data(), 6, state.position);
-  std::copy_n(servo_.velocity().data(), 6, state.velocity);
+  ToMessage(servo_.position(), &state.num_joints, &state.position);
+  ToMessage(servo_.velocity(), &state.num_joints, &state.velocity);
   state.opening = gripper_.opening();
   state.stance = gripper_.stance();
   state.grip = static_cast<int8_t>(gripper_.state(world));

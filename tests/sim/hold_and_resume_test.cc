@@ -71,8 +71,7 @@ TEST(HoldAndResume, AnOperatorsHoldStopsTheArmsAtOnceAndTheSkillGoesOn) {
   std::map<int32_t, bool> is_moving;
   std::optional<arm_setpoint_t> last;
   cell.On<arm_setpoint_t>("ARM_SETPOINT_RIGHT", [&](const auto& m) {
-    is_moving[m.header.tick] =
-        last && !std::equal(m.position, m.position + 6, last->position);
+    is_moving[m.header.tick] = last && m.position != last->position;
     last = m;
   });
   cell.Run();
@@ -120,8 +119,7 @@ TEST(HoldAndResume, AHoldOutlivesTheSupervisor) {
   std::optional<arm_setpoint_t> last;
   std::optional<int32_t> moved_early, moved_again;
   cell.On<arm_setpoint_t>("ARM_SETPOINT_RIGHT", [&](const auto& m) {
-    const bool is_moving =
-        last && !std::equal(m.position, m.position + 6, last->position);
+    const bool is_moving = last && m.position != last->position;
     last = m;
     if (!held || !is_moving) return;
     const int32_t since = m.header.tick - *held;

@@ -78,7 +78,7 @@ class MotionWatch {
     const int32_t tick = state.header.tick;
     arm.is_stopped = state.servo == arm_state_t::STOPPED;
     double speed = 0, distance = 0;
-    for (int i = 0; i < 6; ++i) {
+    for (size_t i = 0; i < state.position.size(); ++i) {
       speed = std::max(speed, std::abs(state.velocity[i]));
       if (!arm.setpoint) continue;
       distance = std::max(
@@ -109,7 +109,7 @@ class MotionWatch {
 
   static bool IsSame(const arm_setpoint_t& a, const arm_setpoint_t& b) {
     double difference = std::abs(a.opening - b.opening);
-    for (int i = 0; i < 6; ++i) {
+    for (size_t i = 0; i < a.position.size(); ++i) {
       difference =
           std::max(difference, std::abs(a.position[i] - b.position[i]));
     }

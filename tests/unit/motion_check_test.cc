@@ -10,6 +10,7 @@
 #include "common/arms/arm_bodies.h"
 #include "common/bus/bus.h"
 #include "common/geometry/pose.h"
+#include "common/kinematics/joint_values.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -72,14 +73,14 @@ class MotionCheckTest : public testing::Test {
   }
   void PutState(const std::string& arm, double velocity = 0) {
     arm_state_t state{};
-    std::copy_n(q_.at(arm).data(), 6, state.position);
-    state.velocity[2] = velocity;
+    ToMessage(velocity * Joints::Unit(2), &state.num_joints, &state.velocity);
+    ToMessage(q_.at(arm), &state.num_joints, &state.position);
     Put("ARM_STATE_" + ChannelSuffix(arm), state, 0);
   }
   void PutSetpoint(const std::string& arm, int joint = 0, double by = 0) {
     arm_setpoint_t setpoint{};
-    std::copy_n(q_.at(arm).data(), 6, setpoint.position);
-    setpoint.position[joint] += by;
+    ToMessage(q_.at(arm) + by * Joints::Unit(joint), &setpoint.num_joints,
+              &setpoint.position);
     Put("ARM_SETPOINT_" + ChannelSuffix(arm), setpoint, 7);
   }
   void Ask(const std::string& arm, int64_t id, const std::string& part) {
@@ -300,11 +301,22 @@ TEST_F(MotionCheckTest, ProtectiveStopsAreCounted) {
        {arm_state_t::FOLLOWING, arm_state_t::STOPPED, arm_state_t::STOPPED,
         arm_state_t::FOLLOWING, arm_state_t::STOPPED}) {
     arm_state_t state{};
-    std::copy_n(q_.at("right").data(), 6, state.position);
+    ToMessage(Joints::Zero(), &state.num_joints, &state.velocity);
+    ToMessage(q_.at("right"), &state.num_joints, &state.position);
     state.servo = servo;
     Put("ARM_STATE_RIGHT", state, 0);
   }
   EXPECT_EQ(check_.num_protective_stops(), 2);
+}
+
+TEST_F(MotionCheckTest, AnotherNumberOfJointsIsABreach) {
+  arm_state_t state{};
+  state.num_joints = 7;
+  state.position = state.velocity = std::vector<double>(7, 0.0);
+  Put("ARM_STATE_RIGHT", state, 0);
+  ASSERT_EQ(check_.violations().size(), 1u);
+  EXPECT_THAT(check_.violations().front().what,
+              testing::HasSubstr("has 7 joints instead of 6"));
 }
 
 TEST_F(MotionCheckTest, WhatDoesNotDecodeIsPassedOver) {

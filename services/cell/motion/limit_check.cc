@@ -7,6 +7,7 @@
 
 #include "common/arms/arm_bodies.h"
 #include "common/bus/bus.h"
+#include "common/kinematics/joint_values.h"
 
 namespace cell {
 namespace {
@@ -17,6 +18,11 @@ constexpr double kTick = 1e-6 * kTickUs;  // [s]
 constexpr double kRounding = 1e-6;        // [rad], [rad/s], [m]
 constexpr double kMoves = 1e-3;           // [rad/s] faster than standing still
 
+LimitCheck::Breach WrongNumber(const std::string& subject, size_t number) {
+  return {Kind::kPosition, subject,
+          fmt::format("has {} joints instead of {}", number, kNumJoints)};
+}
+
 std::string JointName(int index) {
   return fmt::format("joint {}", index + 1);
 }
@@ -26,20 +32,23 @@ std::string JointName(int index) {
 std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
-  Joints q;
-  double speed = 0;
-  for (int i = 0; i < q.size(); ++i) {
-    q[i] = state.position[i];
-    speed = std::max(speed, std::abs(state.velocity[i]));
+  const auto position = JointsFromMessage(state.position);
+  const auto velocity = JointsFromMessage(state.velocity);
+  if (!position || !velocity) {
+    return {WrongNumber("state", state.position.size())};
+  }
+  const Joints& q = *position;
+  const double speed = velocity->cwiseAbs().maxCoeff();
+  for (int i = 0; i < kNumJoints; ++i) {
     // Not a number is beyond every limit.
     if (!(std::abs(q[i]) <= limits.angle[i] + kRounding)) {
       breaches.push_back({Kind::kPosition, JointName(i),
                           fmt::format("is at {:.3f} rad", q[i])});
     }
-    if (!(std::abs(state.velocity[i]) <= limits.speed[i] + kRounding)) {
+    if (!(std::abs((*velocity)[i]) <= limits.speed[i] + kRounding)) {
       breaches.push_back(
           {Kind::kSpeed, JointName(i),
-           fmt::format("turns at {:.2f} rad/s", std::abs(state.velocity[i]))});
+           fmt::format("turns at {:.2f} rad/s", std::abs((*velocity)[i]))});
     }
   }
   const Eigen::Vector3d p_WG = GripperPose(arm_, q).translation();
@@ -59,8 +68,10 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(
     const arm_setpoint_t& setpoint) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
-  for (int i = 0; i < 6; ++i) {
-    const double goal = setpoint.position[i];
+  const auto goals = JointsFromMessage(setpoint.position);
+  if (!goals) return {WrongNumber("set-point", setpoint.position.size())};
+  for (int i = 0; i < kNumJoints; ++i) {
+    const double goal = (*goals)[i];
     if (!(std::abs(goal) <= limits.angle[i] + kRounding)) {
       breaches.push_back({Kind::kPosition, "set-point of " + JointName(i),
                           fmt::format("is {:.3f} rad", goal)});
@@ -71,7 +82,8 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(
       continue;
     }
     const int32_t num_ticks = setpoint.header.tick - last_->header.tick;
-    const double step = std::abs(goal - last_->position[i]);
+    const double step =
+        std::abs(goal - last_->position[static_cast<size_t>(i)]);
     if (!(step <= limits.speed[i] * kTick * num_ticks + kRounding)) {
       breaches.push_back({Kind::kSetpoint, "set-point of " + JointName(i),
                           fmt::format("jumps by {:.4f} rad in {} ms", step,
