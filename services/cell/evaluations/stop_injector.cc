@@ -51,6 +51,7 @@ void StopInjector::OnReport(const arm_report_t& report) {
   const int32_t now = bus_.last_tick().header.tick;
   if (!stops_.empty()) {
     MadeStop& last = stops_.back();
+    if (now <= last.tick && last.arm == report.arm) last.stage = report.phase;
     if (now > last.end_tick && last.arm == report.arm && IsAtWork(report)) {
       is_watching_ = false;
     }
@@ -89,7 +90,8 @@ void StopInjector::Make(const StopChoice& choice, const std::string& arm,
                         const std::string& part) {
   const int32_t tick = bus_.last_tick().header.tick + 1 + choice.delay;
   const int32_t end = tick + choice.duration;
-  stops_.push_back({choice.kind, tick, end, arm, part, choice.stage, "", 0});
+  stops_.push_back(
+      {choice.kind, tick, end, arm, part, skills_.at(arm).phase, "", 0});
   is_watching_ = false;
   placed_.clear();
   if (choice.kind == StopKind::kDeath) {
@@ -134,7 +136,6 @@ void StopInjector::OnPoses(const truth_poses_t& poses) {
 
 /// What is placed as the stop is made.
 void StopInjector::Remember(const TruthPoses& truth) {
-  stops_.back().stage = skills_.at(stops_.back().arm).phase;
   is_watching_ = true;
   if (!looks_.has_both()) return;
   const AssemblyScore score =
