@@ -91,13 +91,18 @@ void ArmWorker::PlanSkill() {
       return PlanTake({});
     case SkillRequest::Kind::kGoHome:
       return PlanGoHome();
+    case SkillRequest::Kind::kGoFree:
+      return;
   }
 }
 
 std::optional<std::string> ArmWorker::WhyNot(
     const SkillRequest& request) const {
   if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
-  if (request.kind == SkillRequest::Kind::kGoHome) return std::nullopt;
+  if (request.kind == SkillRequest::Kind::kGoHome ||
+      request.kind == SkillRequest::Kind::kGoFree) {
+    return std::nullopt;
+  }
   if (params_.parts.Find(request.part) == nullptr) {
     return "there is no part '" + request.part + "'";
   }
@@ -130,7 +135,9 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   if (reading.is_stopped && request_) {
     End(SkillResult::Outcome::kStopped,
         "protective stop: the force has grown too high");
-    Forget();
+    // Nothing need be as it was: all is found out again.
+    ForgetHeld();
+    knows_place_ = false;
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
@@ -261,11 +268,11 @@ const Site* ArmWorker::SiteOfHeld() const {
   return held_ ? FindHoldingSite(held_->part, params_.parts, poses_) : nullptr;
 }
 
-/// After a stop nothing is as it was: all is found out again.
-void ArmWorker::Forget() {
+/// The hand is empty, or nobody knows what is in it.
+void ArmWorker::ForgetHeld() {
   held_.reset();
   sensor_.Unload();
-  knows_place_ = false;
+  planner_.SetHeld(std::nullopt);
 }
 
 void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
@@ -280,8 +287,7 @@ void ArmWorker::KnowHeld() {
   if (!reading_.is_gripping) {
     if (!held_ || phase_ == kLetGo) return;
     const std::string lost = "it has lost " + held_->part;
-    held_.reset();
-    sensor_.Unload();
+    ForgetHeld();
     if (request_) OnFailure(lost);
     return;
   }

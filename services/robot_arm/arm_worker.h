@@ -118,7 +118,7 @@ class ArmWorker {
   SeatingFrames FramesAtSite() const;
   const Site* SiteOfHeld() const;
 
-  void Forget();
+  void ForgetHeld();
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
 

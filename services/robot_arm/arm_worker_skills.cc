@@ -197,11 +197,7 @@ void ArmWorker::PlanLetGo() {
       [this] {
         return Fingers(held_->width + 2 * kLetGoMargin, Until::kReleased);
       },
-      [this] {
-        held_.reset();
-        sensor_.Unload();
-        planner_.SetHeld(std::nullopt);
-      });
+      [this] { ForgetHeld(); });
   PlanDrawBack();
 }
 

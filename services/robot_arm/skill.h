@@ -12,7 +12,10 @@ struct SkillRequest {
     kPresent = 1,  ///< set it down where the other arm can take it
     kPutDown = 2,  ///< on a free place of the table
     kFetch = 3,    ///< take it and wait
-    kGoHome = 4
+    kGoHome = 4,
+    /// Let go of what is held if a site holds it, draw back from what is near:
+    /// what a stop has left the arm at.
+    kGoFree = 5
   };
   int64_t id = 0;
   Kind kind = Kind::kGoHome;
