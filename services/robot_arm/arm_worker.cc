@@ -92,6 +92,8 @@ void ArmWorker::PlanSkill() {
     case SkillRequest::Kind::kGoHome:
       return PlanGoHome();
     case SkillRequest::Kind::kGoFree:
+      // It may be asked for nothing else for long: the room is the other's.
+      if (!held_) PlanGoHome();
       return;
   }
 }

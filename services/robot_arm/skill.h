@@ -13,8 +13,8 @@ struct SkillRequest {
     kPutDown = 2,  ///< on a free place of the table
     kFetch = 3,    ///< take it and wait
     kGoHome = 4,
-    /// Let go of what is held if a site holds it, draw back from what is near:
-    /// what a stop has left the arm at.
+    /// From what a stop has left the arm at: let go of what is held if a site
+    /// holds it, draw back from what is near, go home with an empty hand.
     kGoFree = 5
   };
   int64_t id = 0;
