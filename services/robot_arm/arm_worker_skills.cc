@@ -16,7 +16,7 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kPatience = 15;  // [s] with people's hands
+constexpr double kPatience = 15;     // [s] with people's hands
 constexpr double kTurnMargin = 0.5;  // [rad] that a thread may be tight early
 
 }  // namespace
@@ -79,12 +79,10 @@ void ArmWorker::PlanTurnOn(const Thread& thread) {
   Add("turn", [this, pitch = thread.pitch]() -> Todo::Made {
     sensor_.Unload();
     target_ = std::get<PlaceTarget>(TargetAtSite());
-    const Isometry3d X_SO =
-        target_.X_WO.inverse() * poses_.at(request_->part);
+    const Isometry3d X_SO = target_.X_WO.inverse() * poses_.at(request_->part);
     const Eigen::Matrix3d& R = X_SO.linear();
     const double yaw = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
-    place_.X_WO =
-        target_.X_WO * Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
+    place_.X_WO = target_.X_WO * Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
     Turning::Params params = params_.settings.turning;
     params.pitch = pitch;
     const double left =
@@ -204,8 +202,8 @@ void ArmWorker::PlanLetGo() {
 /// From what a stop has left it at: fingers that are around a part, and hold
 /// nothing, leave it room.
 void ArmWorker::PlanGoFree() {
-  const auto part = planner_.FindGrasped(
-      {reading_.q, reading_.stance, reading_.opening});
+  const auto part =
+      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
   if (part && !held_) {
     double width = 0;
     for (const Grasp& grasp : params_.parts.Find(*part)->grasps) {

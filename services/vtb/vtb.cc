@@ -84,8 +84,7 @@ Vtb::Vtb(Bus& bus, const Params& params)
       "COMMAND_EPISODE",
       [this](const command_episode_t& m) { return OnCommand(m); });
   bus_.Subscribe<command_fault_t>(
-      "COMMAND_FAULT",
-      [this](const command_fault_t& m) { return OnFault(m); });
+      "COMMAND_FAULT", [this](const command_fault_t& m) { return OnFault(m); });
   bus_.Every(1, 0, [this] { OnTick(); });
 }
 

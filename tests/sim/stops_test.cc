@@ -55,8 +55,8 @@ class Resumer {
         resume.action = command_mode_t::RESUME;
         const int32_t tick = cell.tick() + 125;
         resume.deadline_utime = (tick + 10) * kTickUs;
-        cell.bus().Schedule(SimBus::TimedCommand{
-            tick, {"COMMAND_MODE", Bus::Encode(resume)}});
+        cell.bus().Schedule(
+            SimBus::TimedCommand{tick, {"COMMAND_MODE", Bus::Encode(resume)}});
       }
       was_stopped_ = is_stopped;
     });

@@ -155,9 +155,8 @@ class Bench : public testing::Test {
     return domain_.vocabulary().objects()[object].name;
   }
   std::string Show(const ArmOrder& request) const {
-    static const std::vector<std::string> kKinds = {"insert", "present",
-                                                    "put down", "go home",
-                                                    "go free"};
+    static const std::vector<std::string> kKinds = {
+        "insert", "present", "put down", "go home", "go free"};
     std::string text =
         Name(request.arm) + ": " + kKinds[static_cast<size_t>(request.kind)];
     if (request.part) text += " " + Name(*request.part);

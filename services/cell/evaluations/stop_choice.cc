@@ -26,9 +26,8 @@ const std::vector<Stage>& StagesOf(StoppedSkill skill) {
       {"turn", 500}, {"carry", 150}, {"turn", 250},  {"draw back", 150},
       {"turn", 600}, {"close", 25},  {"let go", 30}, {"reach", 150}};
   static const std::vector<Stage> set_down = {
-      {"reach", 150},    {"close", 25},  {"lift", 150},
-      {"carry", 150},    {"set down", 150}, {"let go", 18},
-      {"draw back", 150}, {"go home", 100}};
+      {"reach", 150},    {"close", 25},  {"lift", 150},      {"carry", 150},
+      {"set down", 150}, {"let go", 18}, {"draw back", 150}, {"go home", 100}};
   switch (skill) {
     case StoppedSkill::kInsert:
       return insert;
@@ -57,13 +56,12 @@ const char* NameOf(StopKind kind) {
 StopChoice ChooseStop(StoppedSkill skill, uint64_t seed, int index) {
   const auto& stages = StagesOf(skill);
   const uint64_t number = kPerRun * seed + static_cast<uint64_t>(index);
+  const uint64_t round = number / stages.size(), place = number % stages.size();
   std::mt19937_64 random(number);
-  const auto& [stage, length] = stages[number % stages.size()];
+  const auto& [stage, length] = stages[place];
   StopChoice choice{stage, 0, {}, kHoldTicks};
-  choice.delay =
-      static_cast<int32_t>(random() % static_cast<uint64_t>(length));
-  choice.kind =
-      static_cast<StopKind>((number / stages.size() + number) % kNumKinds);
+  choice.delay = static_cast<int32_t>(random() % static_cast<uint64_t>(length));
+  choice.kind = static_cast<StopKind>((round + place) % kNumKinds);
   if (choice.kind == StopKind::kDeath) {
     choice.duration = kDeathTicks[random() % std::size(kDeathTicks)];
   }

@@ -17,8 +17,8 @@ constexpr int kMostScrewStops = 3;     // of one and the same skill
 
 /// In these an arm is at work with things: they may move.
 bool IsAtWork(const arm_report_t& report) {
-  static const std::set<std::string> phases = {"reach", "close", "tare", "seat",
-                                               "turn", "set down"};
+  static const std::set<std::string> phases = {"reach", "close", "tare",
+                                               "seat",  "turn",  "set down"};
   return report.request >= 0 && phases.contains(report.phase);
 }
 

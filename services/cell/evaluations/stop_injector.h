@@ -75,7 +75,7 @@ class StopInjector {
   std::map<StoppedSkill, int> num_of_;
   std::vector<MadeStop> stops_;
   PoseLooks looks_;
-  bool is_watching_ = false;  // the last stop
+  bool is_watching_ = false;                       // the last stop
   std::map<std::string, Eigen::Vector3d> placed_;  // when it was made, in W
 };
 

@@ -67,8 +67,8 @@ class StopsEvaluation final : public Evaluation {
     const auto book = DemonstratorBook::FromConfig(
         deployment.OfTask("demonstrators.yaml"), parts);
     std::unique_ptr<StopInjector> injector;
-    json row = RunAssembly(
-        kScript, trial.seed, deployment, roster, [&](SimBus& bus) {
+    json row =
+        RunAssembly(kScript, trial.seed, deployment, roster, [&](SimBus& bus) {
           injector =
               std::make_unique<StopInjector>(bus, parts, book, trial.seed);
           return [&](const Message& message) {
@@ -83,18 +83,18 @@ class StopsEvaluation final : public Evaluation {
   }
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
-    return {RunsOf(rows, kGroup, "runs assembled to the end",
-                   [](const json& row) {
-                     return row.at("complete") && row.at("state") == "done";
-                   }),
-            StopsOf(rows, StopKind::kProtective),
-            StopsOf(rows, StopKind::kHold),
-            StopsOf(rows, StopKind::kDeath),
-            RunsOf(rows, kGroup, "runs in which nothing seated came loose again",
-                   [](const json& row) { return row.at("broken").empty(); }),
-            RunsOf(rows, kGroup, "runs without a breach of limits",
-                   HasKeptLimits),
-            RunsOf(rows, kGroup, "runs without a collision", HasHitNothing)};
+    return {
+        RunsOf(rows, kGroup, "runs assembled to the end",
+               [](const json& row) {
+                 return row.at("complete") && row.at("state") == "done";
+               }),
+        StopsOf(rows, StopKind::kProtective),
+        StopsOf(rows, StopKind::kHold),
+        StopsOf(rows, StopKind::kDeath),
+        RunsOf(rows, kGroup, "runs in which nothing seated came loose again",
+               [](const json& row) { return row.at("broken").empty(); }),
+        RunsOf(rows, kGroup, "runs without a breach of limits", HasKeptLimits),
+        RunsOf(rows, kGroup, "runs without a collision", HasHitNothing)};
   }
 
   /// How often each stage was stopped, and what moved most.
