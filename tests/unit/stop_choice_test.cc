@@ -26,7 +26,7 @@ Seen SeenIn(StoppedSkill skill, uint64_t num_runs, int per_run) {
 TEST(StopChoice, FewRunsStopEveryStageOfASkillInEveryWay) {
   constexpr size_t kKinds = 3;
   EXPECT_EQ(SeenIn(StoppedSkill::kInsert, 5, 8).size(), 10 * kKinds);
-  EXPECT_EQ(SeenIn(StoppedSkill::kScrew, 36, 1).size(), 7 * kKinds);
+  EXPECT_EQ(SeenIn(StoppedSkill::kInsertTurning, 36, 1).size(), 7 * kKinds);
   EXPECT_EQ(SeenIn(StoppedSkill::kSetDown, 24, 1).size(), 8 * kKinds);
 }
 

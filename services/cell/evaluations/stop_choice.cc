@@ -21,7 +21,7 @@ const std::vector<Stage>& StagesOf(StoppedSkill skill) {
       {"open", 15},  {"go to ", 120}, {"reach", 150},    {"close", 25},
       {"lift", 150}, {"carry", 150},  {"tare", 25},      {"seat", 80},
       {"seat", 400}, {"let go", 15},  {"draw back", 150}};
-  static const std::vector<Stage> screw = {
+  static const std::vector<Stage> turning = {
       {"turn", 60},  {"seat", 200},  {"turn", 400},  {"let go", 18},
       {"turn", 500}, {"carry", 150}, {"turn", 250},  {"draw back", 150},
       {"turn", 600}, {"close", 25},  {"let go", 30}, {"reach", 150}};
@@ -31,8 +31,8 @@ const std::vector<Stage>& StagesOf(StoppedSkill skill) {
   switch (skill) {
     case StoppedSkill::kInsert:
       return insert;
-    case StoppedSkill::kScrew:
-      return screw;
+    case StoppedSkill::kInsertTurning:
+      return turning;
     case StoppedSkill::kSetDown:
       break;
   }

@@ -17,7 +17,7 @@ struct StopChoice {
   int32_t duration = 0;  ///< [ticks] until the operator resumes or it lives
 };
 
-enum class StoppedSkill { kInsert, kScrew, kSetDown };
+enum class StoppedSkill { kInsert, kInsertTurning, kSetDown };
 
 /// Every stage of a skill by every kind of stop in turn, so that few runs have
 /// seen all. `seed` of the run, `index` of the skill in it among its kind.

@@ -11,9 +11,9 @@
 namespace cell {
 namespace {
 
-constexpr int32_t kCalm = 125;         // [ticks] from a stop's end to the next
-constexpr int32_t kCommandTicks = 10;  // how long a command is valid
-constexpr int kMostScrewStops = 3;     // of one and the same skill
+constexpr int32_t kCalm = 125;          // [ticks] from a stop's end to the next
+constexpr int32_t kCommandTicks = 10;   // how long a command is valid
+constexpr int kMostStopsOfTurning = 3;  // of one and the same skill
 
 /// In these an arm is at work with things: they may move.
 bool IsAtWork(const arm_report_t& report) {
@@ -26,7 +26,7 @@ StoppedSkill SkillOf(const skill_request_t& request, const PartTable& parts) {
   if (request.skill != skill_request_t::INSERT) return StoppedSkill::kSetDown;
   const Site* site = parts.FindSite(request.site);
   return site != nullptr && parts.FindThread(site->type) != nullptr
-             ? StoppedSkill::kScrew
+             ? StoppedSkill::kInsertTurning
              : StoppedSkill::kInsert;
 }
 
@@ -75,7 +75,9 @@ void StopInjector::Choose(const skill_request_t& request, Skill& skill) {
   if (request.part.empty()) return;
   const StoppedSkill kind = SkillOf(request, parts_);
   int& num_tried = num_tried_[{request.arm, request.skill, request.part}];
-  if (num_tried >= (kind == StoppedSkill::kScrew ? kMostScrewStops : 1)) return;
+  if (num_tried >=
+      (kind == StoppedSkill::kInsertTurning ? kMostStopsOfTurning : 1))
+    return;
   ++num_tried;
   skill.choice = ChooseStop(kind, seed_, num_of_[kind]++);
 }
