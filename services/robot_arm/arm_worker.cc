@@ -101,6 +101,10 @@ void ArmWorker::PlanSkill() {
 std::optional<std::string> ArmWorker::WhyNot(
     const SkillRequest& request) const {
   if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
+  // It may be held by a site as well.
+  if (held_ && !poses_.contains(held_->part)) {
+    return "nobody knows where " + held_->part + " is";
+  }
   if (request.kind == SkillRequest::Kind::kGoHome ||
       request.kind == SkillRequest::Kind::kGoFree) {
     return std::nullopt;

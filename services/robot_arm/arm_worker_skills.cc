@@ -78,8 +78,11 @@ void ArmWorker::PlanTurnOn(const Thread& thread) {
   PlanGrasp([this] { return TargetAtSite(); });
   Add("turn", [this, pitch = thread.pitch]() -> Todo::Made {
     sensor_.Unload();
-    target_ = std::get<PlaceTarget>(TargetAtSite());
-    const Isometry3d X_SO = target_.X_WO.inverse() * poses_.at(request_->part);
+    auto target = TargetAtSite();
+    if (auto* reason = std::get_if<std::string>(&target)) return *reason;
+    target_ = std::get<PlaceTarget>(target);
+    const Isometry3d X_SO = target_.X_WO.inverse() *
+                            kinematics_.GripperPose(command_->q) * held_->X_GO;
     const Eigen::Matrix3d& R = X_SO.linear();
     const double yaw = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
     place_.X_WO = target_.X_WO * Eigen::AngleAxisd(yaw, Vector3d::UnitZ());

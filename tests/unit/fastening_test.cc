@@ -195,5 +195,15 @@ TEST_F(ArmThatHoldsTheHead, LetsGoOfOneHalfwayOnItsThreadToGoHome) {
   EXPECT_EQ(report_.phase, "let go");
 }
 
+TEST_F(ArmThatHoldsTheHead, StaysWhereItIsWhileNobodySeesTheHead) {
+  BeginAt(Above(0.004));
+  stage_.Remove("head");
+  Run(20);
+  Ask(skill_request_t::GO_FREE, "", "");
+  ASSERT_EQ(results_.size(), 1u);
+  EXPECT_EQ(results_[0].outcome, skill_result_t::REFUSED);
+  EXPECT_EQ(results_[0].reason, "nobody knows where head is");
+}
+
 }  // namespace
 }  // namespace cell
