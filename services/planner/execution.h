@@ -17,12 +17,12 @@ struct Instant {
 
 /// What an arm is to do once. Objects are the vocabulary's.
 struct ArmOrder {
-  enum class Kind { kInsert, kPresent, kPutDown, kGoHome };
+  enum class Kind { kInsert, kPresent, kPutDown, kGoHome, kGoFree };
   int64_t id = 0;              ///< unique in a run, across lives of the planner
   int64_t deadline_utime = 0;  ///< [us] not begun later
   int arm = 0;
   Kind kind = Kind::kInsert;
-  std::optional<int> part;  ///< nothing for kGoHome
+  std::optional<int> part;  ///< nothing for kGoHome, kGoFree
   std::optional<int> site;  ///< of kInsert
 };
 

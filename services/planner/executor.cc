@@ -40,9 +40,12 @@ void Executor::Take(const SensedState& sensed) {
 void Executor::Take(const ArmOutcome& result) {
   const auto it = running_.find(result.arm);
   if (it == running_.end() || it->second.id != result.id) return;
+  const bool was_to_go_free = it->second.kind == ArmOrder::Kind::kGoFree;
   const bool has_succeeded = result.outcome == ArmOutcome::Outcome::kSucceeded;
-  const bool counts = result.outcome != ArmOutcome::Outcome::kStopped &&
-                      result.outcome != ArmOutcome::Outcome::kYielded;
+  const bool is_stopped = result.outcome == ArmOutcome::Outcome::kStopped;
+  const bool counts =
+      !is_stopped && result.outcome != ArmOutcome::Outcome::kYielded;
+  if (is_stopped) to_free_.try_emplace(result.arm, 0);
   if (it->second.action) {
     End(result.arm, result.utime, counts,
         has_succeeded ? "it was reported as done, but is not" : result.reason);
@@ -50,6 +53,10 @@ void Executor::Take(const ArmOutcome& result) {
   }
   const bool is_home = it->second.kind == ArmOrder::Kind::kGoHome;
   End(result.arm, result.utime, false, "");
+  if (was_to_go_free) {
+    if (counts) OnFreed(result.arm, has_succeeded);
+    return;
+  }
   if (has_succeeded && is_home) home_.insert(result.arm);
   if (has_succeeded || !counts) return;
   if (++num_clearings_[result.arm] < params_.max_attempts) return;
@@ -82,7 +89,7 @@ Orders Executor::Decide(Instant now) {
   FindLostRequests();
   if (may_act_ && !has_acted_) fresh_utime_ = std::max(fresh_utime_, now.utime);
   has_acted_ = may_act_;
-  if (may_act_ && IsReady(now)) {
+  if (may_act_ && IsReady(now) && AreFree(now, orders)) {
     if (stage_ == Stage::kWorking) Work(now, orders);
     if (stage_ == Stage::kClearingUp) ClearUp(now, orders);
   }
@@ -101,6 +108,23 @@ bool Executor::IsReady(Instant now) {
   is_ready_ = true;
   fresh_utime_ = std::max(fresh_utime_, now.utime);
   return true;
+}
+
+/// An arm that cannot go free is used as it is after some attempts: it refuses
+/// what it cannot do.
+void Executor::OnFreed(int arm, bool has_succeeded) {
+  const auto it = to_free_.find(arm);
+  if (it == to_free_.end()) return;
+  if (has_succeeded || ++it->second >= params_.max_attempts) to_free_.erase(it);
+}
+
+bool Executor::AreFree(Instant now, Orders& orders) {
+  for (const auto& [arm, tries] : to_free_) {
+    if (now.utime < fresh_utime_ || !IsFree(arm)) continue;
+    Start({0, 0, arm, ArmOrder::Kind::kGoFree, std::nullopt, std::nullopt},
+          {.action = std::nullopt, .before = State(0)}, now, orders);
+  }
+  return to_free_.empty();
 }
 
 void Executor::Work(Instant now, Orders& orders) {
@@ -293,6 +317,11 @@ void Executor::FindLostRequests() {
     }
   }
   for (const auto& [arm, utime] : lost) {
+    if (running_.at(arm).kind == ArmOrder::Kind::kGoFree) {
+      OnFreed(arm, false);
+    } else {
+      to_free_.try_emplace(arm, 0);
+    }
     End(arm, utime, true, "the arm began anew and knows nothing of it");
   }
 }
@@ -334,9 +363,11 @@ std::string Executor::WhatRuns() const {
   std::string text;
   for (const auto& [arm, running] : running_) {
     if (!text.empty()) text += ", ";
-    text += running.action
-                ? domain_.Show(*running.action)
-                : domain_.vocabulary().objects()[arm].name + " arm goes home";
+    const bool goes_free = running.kind == ArmOrder::Kind::kGoFree;
+    text += running.action ? domain_.Show(*running.action)
+                           : domain_.vocabulary().objects()[arm].name +
+                                 (goes_free ? " arm goes free of what it is at"
+                                            : " arm goes home");
   }
   return text;
 }

@@ -16,7 +16,9 @@ namespace cell {
 /// requested, its end awaited, the state sensed afresh, the plan renewed.
 /// Nothing is remembered of the world, so that a person may do any step
 /// meanwhile, and a new life of the planner goes on from what it senses once
-/// all arms are idle. An action that fails again and again without a change of
+/// all arms are idle. An arm whose skill a stop or its own death has cut short
+/// is first asked to go free of what it is at: until then what is sensed may
+/// be under strain. An action that fails again and again without a change of
 /// the state is left for another one, or the person is asked. Done is done:
 /// what a person takes apart afterwards stays so until there is another goal.
 class Executor {
@@ -71,6 +73,8 @@ class Executor {
   };
   enum class Stage { kWorking, kClearingUp, kDone };
 
+  void OnFreed(int arm, bool has_succeeded);
+  bool AreFree(Instant now, Orders& orders);
   void Work(Instant now, Orders& orders);
   void FindLostRequests();
   void End(int arm, int64_t utime, bool counts, const std::string& reason);
@@ -106,6 +110,9 @@ class Executor {
   std::optional<std::string> question_;  // if it is none
   Stage stage_ = Stage::kWorking;
   std::map<int, Running> running_;  // by arm
+  /// Arms that were cut short, and how often they have tried in vain to go
+  /// free.
+  std::map<int, int> to_free_;
   std::optional<SensedState> sensed_;
   bool may_act_ = false;
   bool has_acted_ = false;                  // at the last moment it might

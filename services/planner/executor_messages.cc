@@ -54,6 +54,8 @@ int8_t CodeOf(ArmOrder::Kind kind) {
       return skill_request_t::PUT_DOWN;
     case ArmOrder::Kind::kGoHome:
       return skill_request_t::GO_HOME;
+    case ArmOrder::Kind::kGoFree:
+      return skill_request_t::GO_FREE;
   }
   return skill_request_t::GO_HOME;
 }

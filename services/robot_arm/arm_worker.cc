@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "services/robot_arm/fastening.h"
+
 namespace cell {
 namespace {
 
@@ -60,16 +62,24 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   peak_force_ = 0;
   has_moved_ = false;
   failure_.clear();
-  // What an earlier life has left it at: by now it is known where parts are.
+  // What an earlier life or a stop has left it at: by now it is known where
+  // parts are.
   if (!std::exchange(knows_place_, true)) {
     is_near_ = planner_.IsNearSomething(command_->q);
   }
   PlanSkill();
 }
 
+/// What a skill that was cut short has left the hand at comes first.
 void ArmWorker::PlanSkill() {
   todos_.clear();
-  if (is_near_) PlanDrawBack();
+  if (SiteOfHeld() != nullptr) {
+    PlanLetGo();
+    return Add(
+        "look", [] { return std::unique_ptr<SkillStage>(); },
+        [this] { PlanSkill(); });
+  }
+  if (is_near_) PlanGoFree();
   switch (request_->kind) {
     case SkillRequest::Kind::kInsert:
       return PlanInsert();
@@ -81,17 +91,30 @@ void ArmWorker::PlanSkill() {
       return PlanTake({});
     case SkillRequest::Kind::kGoHome:
       return PlanGoHome();
+    case SkillRequest::Kind::kGoFree:
+      // It may be asked for nothing else for long: the room is the other's.
+      if (!held_) PlanGoHome();
+      return;
   }
 }
 
 std::optional<std::string> ArmWorker::WhyNot(
     const SkillRequest& request) const {
-  if (request.kind == SkillRequest::Kind::kGoHome) return std::nullopt;
+  if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
+  // It may be held by a site as well.
+  if (held_ && !poses_.contains(held_->part)) {
+    return "nobody knows where " + held_->part + " is";
+  }
+  if (request.kind == SkillRequest::Kind::kGoHome ||
+      request.kind == SkillRequest::Kind::kGoFree) {
+    return std::nullopt;
+  }
   if (params_.parts.Find(request.part) == nullptr) {
     return "there is no part '" + request.part + "'";
   }
-  if (held_ && held_->part != request.part) return "it holds " + held_->part;
-  if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
+  if (held_ && held_->part != request.part && SiteOfHeld() == nullptr) {
+    return "it holds " + held_->part;
+  }
   if (!poses_.contains(request.part)) {
     return "nobody knows where " + request.part + " is";
   }
@@ -118,6 +141,9 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   if (reading.is_stopped && request_) {
     End(SkillResult::Outcome::kStopped,
         "protective stop: the force has grown too high");
+    // Nothing need be as it was: all is found out again.
+    ForgetHeld();
+    knows_place_ = false;
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;
@@ -217,7 +243,11 @@ void ArmWorker::OnFailure(const std::string& reason) {
     const double open = command_->opening + 2 * kLetGoMargin;
     Add("open", [=, this] { return Fingers(open, Until::kThere); });
   }
-  if (is_near_) PlanDrawBack();
+  if (SiteOfHeld() != nullptr) {
+    PlanLetGo();
+  } else if (is_near_) {
+    PlanDrawBack();
+  }
   // Who only passes parts on leaves the room to the other.
   if (request_->kind != SkillRequest::Kind::kInsert) PlanGoHome();
 }
@@ -234,6 +264,23 @@ std::optional<SkillResult> ArmWorker::TakeResult() {
   return std::exchange(result_, std::nullopt);
 }
 
+std::string ArmWorker::held() const {
+  const bool is_placed = !request_ && SiteOfHeld() != nullptr;
+  return held_ && !is_placed ? held_->part : "";
+}
+
+/// The site that holds what the gripper holds; nullptr if there is none.
+const Site* ArmWorker::SiteOfHeld() const {
+  return held_ ? FindHoldingSite(held_->part, params_.parts, poses_) : nullptr;
+}
+
+/// The hand is empty, or nobody knows what is in it.
+void ArmWorker::ForgetHeld() {
+  held_.reset();
+  sensor_.Unload();
+  planner_.SetHeld(std::nullopt);
+}
+
 void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
   held_ = HeldPart{name, X_GO, grasp_.grip, grasp_.width};
   const Part& part = *params_.parts.Find(name);
@@ -246,8 +293,7 @@ void ArmWorker::KnowHeld() {
   if (!reading_.is_gripping) {
     if (!held_ || phase_ == kLetGo) return;
     const std::string lost = "it has lost " + held_->part;
-    held_.reset();
-    sensor_.Unload();
+    ForgetHeld();
     if (request_) OnFailure(lost);
     return;
   }

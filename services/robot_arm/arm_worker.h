@@ -55,8 +55,10 @@ class ArmWorker {
   /// Id of the skill that runs; -1: none.
   int64_t request() const { return request_ ? request_->id : -1; }
   const std::string& phase() const { return phase_; }
-  /// Part in the gripper; empty: none, or nobody knows which.
-  std::string held() const { return held_ ? held_->part : ""; }
+  /// Part in the gripper; empty: none, or nobody knows which. What is left in
+  /// an idle gripper though a site holds it counts as placed: before the arm
+  /// does anything else it lets go of it.
+  std::string held() const;
   bool is_frozen() const { return is_frozen_; }
   /// Parts that it could take where they lie, sorted.
   std::vector<std::string> Reachable() const;
@@ -95,10 +97,13 @@ class ArmWorker {
   void AddWaitForHands(std::function<Eigen::Vector3d()> point,
                        std::function<void()> then = {});
   void PlanSkill();
+  void PlanGoFree();
   void PlanInsert();
+  void PlanTurnOn(const Thread& thread);
   void PlanPresent();
   void PlanPutDown();
   void PlanSetDown(const Eigen::AlignedBox2d& area, ArmPlanner::Taker taker);
+  void PlanGrasp(const TargetMaker& target);
   void PlanTake(const TargetMaker& target);
   void PlanCarry(const TargetMaker& target);
   void PlanLetGo();
@@ -111,7 +116,9 @@ class ArmWorker {
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceTarget> TargetAtSite() const;
   SeatingFrames FramesAtSite() const;
+  const Site* SiteOfHeld() const;
 
+  void ForgetHeld();
   void Hold(const std::string& part, const Eigen::Isometry3d& X_GO);
   void KnowHeld();
 
@@ -133,7 +140,7 @@ class ArmWorker {
   PlaceTarget target_;    // of the part that is put down
   PlaceChoice place_;     // there
   bool is_near_ = false;  // among things: it draws back before it turns away
-  bool knows_place_ = false;  // whether it is near, from its first skill on
+  bool knows_place_ = false;  // whether it is near: not after a stop
   double peak_force_ = 0;
   bool has_moved_ = false;
   bool has_yielded_ = false;  // to a person: why it fails

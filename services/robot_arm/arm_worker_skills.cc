@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "services/robot_arm/arm_worker.h"
+#include "services/robot_arm/fastening.h"
 
 namespace cell {
 namespace {
@@ -13,7 +16,8 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kPatience = 15;  // [s] with people's hands
+constexpr double kPatience = 15;     // [s] with people's hands
+constexpr double kTurnMargin = 0.5;  // [rad] that a thread may be tight early
 
 }  // namespace
 
@@ -39,21 +43,24 @@ void ArmWorker::PlanInsert() {
   const auto target = [this] {
     return TargetAtSite();
   };
+  const Site& site = *params_.parts.FindSite(request_->site);
+  const Thread* thread = params_.parts.FindThread(site.type);
+  if (thread != nullptr && !held_ &&
+      FindHoldingSite(request_->part, params_.parts, poses_) == &site) {
+    return PlanTurnOn(*thread);
+  }
   if (!held_) PlanTake(target);
   PlanCarry(target);
   Add("tare", [this]() -> Todo::Made {
     is_near_ = true;
     return std::make_unique<Tare>(sensor_);
   });
-  Add("seat", [this]() -> Todo::Made {
-    const Site& site = *params_.parts.FindSite(request_->site);
+  Add("seat", [this, type = site.type]() -> Todo::Made {
     return std::make_unique<Insert>(
         kinematics_, FramesAtSite(),
-        params_.settings.seatings.at(site.type).insertion, sensor_,
-        &peak_force_);
+        params_.settings.seatings.at(type).insertion, sensor_, &peak_force_);
   });
-  const Site& site = *params_.parts.FindSite(request_->site);
-  if (const Thread* thread = params_.parts.FindThread(site.type)) {
+  if (thread != nullptr) {
     Add("turn", [this, pitch = thread->pitch]() -> Todo::Made {
       Turning::Params params = params_.settings.turning;
       params.pitch = pitch;
@@ -61,6 +68,31 @@ void ArmWorker::PlanInsert() {
                                     sensor_);
     });
   }
+  PlanLetGo();
+}
+
+/// Of a part that is on its thread, and not home: it is turned on from there.
+void ArmWorker::PlanTurnOn(const Thread& thread) {
+  // Before anything touches the fingers: the thread carries the part's weight.
+  Add("tare", [this] { return std::make_unique<Tare>(sensor_); });
+  PlanGrasp([this] { return TargetAtSite(); });
+  Add("turn", [this, pitch = thread.pitch]() -> Todo::Made {
+    sensor_.Unload();
+    auto target = TargetAtSite();
+    if (auto* reason = std::get_if<std::string>(&target)) return *reason;
+    target_ = std::get<PlaceTarget>(target);
+    const Isometry3d X_SO = target_.X_WO.inverse() *
+                            kinematics_.GripperPose(command_->q) * held_->X_GO;
+    const Eigen::Matrix3d& R = X_SO.linear();
+    const double yaw = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
+    place_.X_WO = target_.X_WO * Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
+    Turning::Params params = params_.settings.turning;
+    params.pitch = pitch;
+    const double left =
+        2 * std::numbers::pi * X_SO.translation().z() / pitch - kTurnMargin;
+    params.min_angle = std::clamp(left, 0.0, params.min_angle);
+    return std::make_unique<Turn>(kinematics_, FramesAtSite(), params, sensor_);
+  });
   PlanLetGo();
 }
 
@@ -72,6 +104,7 @@ void ArmWorker::PlanPresent() {
 }
 
 void ArmWorker::PlanPutDown() {
+  if (!held_) return PlanGoHome();
   const CellLayout::PartsArea& area = params_.layout.parts_area;
   PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2},
               ArmPlanner::Taker::kAnyone);
@@ -90,7 +123,8 @@ void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area,
   PlanGoHome();
 }
 
-void ArmWorker::PlanTake(const TargetMaker& target) {
+/// Until the fingers hold the part, where it stands.
+void ArmWorker::PlanGrasp(const TargetMaker& target) {
   Add("plan the grasp", [this, target]() -> Todo::Made {
     std::optional<PlaceTarget> wanted;
     if (target) {
@@ -131,6 +165,10 @@ void ArmWorker::PlanTake(const TargetMaker& target) {
         const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
         Hold(request_->part, X_WG.inverse() * poses_.at(request_->part));
       });
+}
+
+void ArmWorker::PlanTake(const TargetMaker& target) {
+  PlanGrasp(target);
   Add(
       "lift",
       [this] {
@@ -160,11 +198,25 @@ void ArmWorker::PlanLetGo() {
       [this] {
         return Fingers(held_->width + 2 * kLetGoMargin, Until::kReleased);
       },
-      [this] {
-        held_.reset();
-        sensor_.Unload();
-        planner_.SetHeld(std::nullopt);
-      });
+      [this] { ForgetHeld(); });
+  PlanDrawBack();
+}
+
+/// From what a stop has left it at: fingers that are around a part, and hold
+/// nothing, leave it room.
+void ArmWorker::PlanGoFree() {
+  const auto part =
+      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+  if (part && !held_) {
+    double width = 0;
+    for (const Grasp& grasp : params_.parts.Find(*part)->grasps) {
+      width = std::max(width, grasp.width);
+    }
+    const double open = width + 2 * kLetGoMargin;
+    if (command_->opening < open) {
+      Add("open", [=, this] { return Fingers(open, Until::kThere); });
+    }
+  }
   PlanDrawBack();
 }
 

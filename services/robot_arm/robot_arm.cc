@@ -156,7 +156,7 @@ bool RobotArm::OnTracks(const tracks_t& message) {
 bool RobotArm::OnRequest(const skill_request_t& message) {
   if (message.arm != name_) return true;
   if (message.skill < skill_request_t::INSERT ||
-      message.skill > skill_request_t::GO_HOME) {
+      message.skill > skill_request_t::GO_FREE) {
     return false;
   }
   const SkillRequest request{message.id,

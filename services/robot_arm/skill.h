@@ -12,7 +12,10 @@ struct SkillRequest {
     kPresent = 1,  ///< set it down where the other arm can take it
     kPutDown = 2,  ///< on a free place of the table
     kFetch = 3,    ///< take it and wait
-    kGoHome = 4
+    kGoHome = 4,
+    /// From what a stop has left the arm at: let go of what is held if a site
+    /// holds it, draw back from what is near, go home with an empty hand.
+    kGoFree = 5
   };
   int64_t id = 0;
   Kind kind = Kind::kGoHome;

@@ -32,6 +32,10 @@ class ArmDevice {
   ArmDevice(Bus& bus, const ArmLayout& layout,
             const std::vector<PartShape>& shapes, const Params& params);
 
+  const std::string& name() const { return layout_.name; }
+  /// A protective stop, for whatever reason.
+  void Stop() { servo_.Stop(); }
+
   /// At home, with open fingers.
   void Reset(World& world);
   /// One tick of `dt` [s]: the physics are to run for as long.

@@ -22,13 +22,16 @@ void ArmServo::Command(const Joints& q, bool clear_stop) {
   command_ = q;
 }
 
+void ArmServo::Stop() {
+  if (state_ == State::kStopped) return;
+  state_ = State::kStopped;
+  goal_ = q_;
+  command_.reset();
+  delayed_.clear();
+}
+
 void ArmServo::Update(double dt, double force) {
-  if (force > params_.stop_force && state_ != State::kStopped) {
-    state_ = State::kStopped;
-    goal_ = q_;
-    command_.reset();
-    delayed_.clear();
-  }
+  if (force > params_.stop_force) Stop();
   if (!command_ && state_ == State::kFollowing &&
       ++num_silent_ > params_.patience_ticks) {
     state_ = State::kHolding;

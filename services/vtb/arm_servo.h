@@ -27,6 +27,8 @@ class ArmServo {
 
   /// A set-point [rad] that has come in this tick.
   void Command(const Joints& q, bool clear_stop);
+  /// Stands still until a set-point clears it.
+  void Stop();
   /// One tick of `dt` [s]; `force` [N] acts on the tool.
   void Update(double dt, double force);
 

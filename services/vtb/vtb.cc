@@ -83,6 +83,8 @@ Vtb::Vtb(Bus& bus, const Params& params)
   bus_.Subscribe<command_episode_t>(
       "COMMAND_EPISODE",
       [this](const command_episode_t& m) { return OnCommand(m); });
+  bus_.Subscribe<command_fault_t>(
+      "COMMAND_FAULT", [this](const command_fault_t& m) { return OnFault(m); });
   bus_.Every(1, 0, [this] { OnTick(); });
 }
 
@@ -118,6 +120,17 @@ bool Vtb::OnCommand(const command_episode_t& message) {
     default:
       return false;
   }
+}
+
+bool Vtb::OnFault(const command_fault_t& message) {
+  const auto arm = std::ranges::find(arms_, message.arm,
+                                     [](const auto& a) { return a->name(); });
+  if (bus_.now() > message.deadline_utime || arm == arms_.end() ||
+      message.kind != command_fault_t::PROTECTIVE_STOP) {
+    return false;
+  }
+  (*arm)->Stop();
+  return true;
 }
 
 bool Vtb::OnExecution(const execution_t& message) {

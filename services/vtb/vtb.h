@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cell/command_episode_t.hpp"
+#include "cell/command_fault_t.hpp"
 #include "cell/execution_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
@@ -51,6 +52,7 @@ class Vtb : public Service {
   };
 
   bool OnCommand(const command_episode_t& message);
+  bool OnFault(const command_fault_t& message);
   bool OnExecution(const execution_t& message);
   void OnTick();
   void Prepare(const Request& request);

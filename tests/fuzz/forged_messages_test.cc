@@ -17,6 +17,7 @@
 #include "cell/alert_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_episode_t.hpp"
+#include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/episode_t.hpp"
@@ -140,6 +141,10 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     command.demonstration = "assembly";
     command.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_EPISODE"] = {Bus::Encode(command)};
+    command_fault_t fault{};
+    fault.arm = "right";
+    fault.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_FAULT"] = {Bus::Encode(fault)};
     command_goal_t goal{};
     goal.goal = "assembled";
     goal.deadline_utime = std::numeric_limits<int64_t>::max();
@@ -337,11 +342,11 @@ TEST_P(ForgedMessages, KillNobodyAndAreCounted) {
 
 INSTANTIATE_TEST_SUITE_P(
     AllChannels, ForgedMessages,
-    testing::Values("EPISODE", "COMMAND_EPISODE", "TRUTH_POSES",
-                    "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS", "KEY_FRAME",
-                    "ACTION", "PREDICATES", "PLAN", "ALERT", "STATUS",
-                    "COMMAND_GOAL", "COMMAND_MODE", "MOTION_PERMIT", "MODE",
-                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
+    testing::Values("EPISODE", "COMMAND_EPISODE", "COMMAND_FAULT",
+                    "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
+                    "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
+                    "STATUS", "COMMAND_GOAL", "COMMAND_MODE", "MOTION_PERMIT",
+                    "MODE", "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
                     "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
                     "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
                     "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",

@@ -22,8 +22,8 @@ class AssemblingCell {
  public:
   /// `guests`: services of the test itself, at the end of the roster.
   explicit AssemblingCell(
-      uint64_t seed, const std::map<std::string, ServiceFactory>& guests = {}) {
-    const Deployment deployment = ShippedDeployment();
+      uint64_t seed, const std::map<std::string, ServiceFactory>& guests = {},
+      const Deployment& deployment = ShippedDeployment()) {
     Roster roster = Roster::FromConfig(deployment.ForService("roster"));
     std::erase_if(roster.entries, [](const Roster::Entry& entry) {
       return entry.name == "recorder";
@@ -54,6 +54,9 @@ class AssemblingCell {
       handler(decoded);
     });
   }
+  void OnMessage(std::function<void(const Message&)> handler) {
+    message_handlers_.push_back(std::move(handler));
+  }
   void OnTick(std::function<void()> handler) {
     tick_handlers_.push_back(std::move(handler));
   }
@@ -64,6 +67,7 @@ class AssemblingCell {
       for (const Message& message : bus_->last_messages()) {
         const auto [begin, end] = handlers_.equal_range(message.channel);
         for (auto it = begin; it != end; ++it) it->second(message);
+        for (const auto& handler : message_handlers_) handler(message);
       }
       for (const auto& handler : tick_handlers_) handler();
     }
@@ -80,6 +84,7 @@ class AssemblingCell {
  private:
   std::unique_ptr<SimBus> bus_;
   std::multimap<std::string, std::function<void(const Message&)>> handlers_;
+  std::vector<std::function<void(const Message&)>> message_handlers_;
   std::vector<std::function<void()>> tick_handlers_;
   PoseLooks looks_;
 };

@@ -4,3 +4,4 @@ cell_add_test(unit/assembly_observer_test.cc LINK cell_cli cell_vtb cell_geometr
 cell_add_test(unit/pose_looks_test.cc LINK cell_cli)
 cell_add_test(unit/log_audit_test.cc LINK cell_cli cell_recorder)
 cell_add_test(unit/doctor_parts_test.cc LINK cell_cli)
+cell_add_test(unit/stop_choice_test.cc LINK cell_cli)

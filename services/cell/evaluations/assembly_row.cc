@@ -88,7 +88,8 @@ void AddViolations(const MotionCheck& check, json* row) {
 }  // namespace
 
 json RunAssembly(const std::string& script, uint64_t seed,
-                 const Deployment& deployment, const Roster& roster) {
+                 const Deployment& deployment, const Roster& roster,
+                 const Intervention& intervene) {
   const PartTable parts =
       PartTable::FromConfig(deployment.OfTask("parts.yaml"));
   const auto book = DemonstratorBook::FromConfig(
@@ -97,9 +98,11 @@ json RunAssembly(const std::string& script, uint64_t seed,
   MotionCheck check(CellLayout::FromConfig(deployment.OfTask("cell.yaml")),
                     parts);
   SimBus bus(roster, AllServices(deployment, script, seed));
+  const auto also = intervene ? intervene(bus) : nullptr;
   RunToEnd(bus, [&](const Message& message) {
     observer.Put(message);
     check.Put(message);
+    if (also) also(message);
   });
   json row;
   AddScore(observer.Score().value(), parts, &row);

@@ -1,19 +1,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "common/bus/roster.h"
+#include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
 
 namespace cell {
 
 /// A row of an evaluation: one assembly by the cell in one process, scored by
 /// the ground truth at its end, its motions checked on the way. `script`: of
-/// the task's demonstrators.yaml.
+/// the task's demonstrators.yaml. `intervene`: called before the run, what it
+/// returns hears every message and may schedule what the bus shall do.
+using Intervention =
+    std::function<std::function<void(const Message&)>(SimBus& bus)>;
 nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
-                           const Deployment& deployment, const Roster& roster);
+                           const Deployment& deployment, const Roster& roster,
+                           const Intervention& intervene = {});
 
 /// What a row says of the motions in its run.
 bool HasKeptLimits(const nlohmann::json& row);

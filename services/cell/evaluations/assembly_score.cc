@@ -71,6 +71,7 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
             part != nullptr && IsAtRest(part->name, before, after,
                                         1e-6 * static_cast<double>(elapsed));
         (is_seated ? score.seated : score.missing).push_back(site.name);
+        if (is_seated) score.placed.insert(part->name);
       }
     }
   }

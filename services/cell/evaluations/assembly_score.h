@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace cell {
 struct AssemblyScore {
   std::vector<std::string> seated;   ///< sites, sorted
   std::vector<std::string> missing;  ///< sites, sorted
+  std::set<std::string> placed;      ///< the parts that sit in `seated`
 
   bool is_complete() const { return missing.empty() && !seated.empty(); }
 };

@@ -3,6 +3,7 @@
 #include "services/cell/evaluations/assembly_evaluation.h"
 #include "services/cell/evaluations/disturbed_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
+#include "services/cell/evaluations/stops_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
 namespace cell {
@@ -12,6 +13,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeWatchEvaluation());
   all.push_back(MakeAssemblyEvaluation());
   all.push_back(MakeDisturbedEvaluation());
+  all.push_back(MakeStopsEvaluation());
   all.push_back(MakeInsertionEvaluation());
   return all;
 }

@@ -10,6 +10,7 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/command_episode_t.hpp"
+#include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/episode_t.hpp"
@@ -57,6 +58,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"ARM_STATE_LEFT", Of<arm_state_t>()},
       {"ARM_STATE_RIGHT", Of<arm_state_t>()},
       {"COMMAND_EPISODE", Of<command_episode_t>()},
+      {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},
       {"EPISODE", Of<episode_t>()},

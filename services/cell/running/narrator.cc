@@ -57,6 +57,8 @@ const char* NameOfSkill(int8_t skill) {
       return "put down";
     case skill_request_t::FETCH:
       return "fetch";
+    case skill_request_t::GO_FREE:
+      return "go free";
     default:
       return "go home";
   }
