@@ -117,7 +117,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   planner_.RefreshReachable();
   if (reading.is_stopped && request_) {
     End(SkillResult::Outcome::kStopped,
-        "protective stop: the force has grown too high");
+        "protective stop: " + reading.why_stopped);
   }
   if (reading.is_stopped) command_->q = reading.q;
   is_frozen_ = leave == Leave::kFreeze || reading.is_stopped;

@@ -25,6 +25,7 @@ void ArmServo::Command(const Joints& q, bool clear_stop) {
 void ArmServo::Update(double dt, double force) {
   if (force > params_.stop_force && state_ != State::kStopped) {
     state_ = State::kStopped;
+    stopped_by_ = force;
     goal_ = q_;
     command_.reset();
     delayed_.clear();

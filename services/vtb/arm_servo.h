@@ -33,6 +33,8 @@ class ArmServo {
   const Joints& position() const { return q_; }
   const Joints& velocity() const { return v_; }
   State state() const { return state_; }
+  /// [N] that it has stopped at, until the stop is cleared.
+  double stopped_by() const { return stopped_by_; }
 
  private:
   void MoveTowards(double dt);
@@ -45,6 +47,7 @@ class ArmServo {
   std::deque<std::optional<Joints>> delayed_;  // what came in earlier ticks
   int num_silent_ = 0;                         // ticks without a set-point
   State state_ = State::kHolding;
+  double stopped_by_ = 0;
 };
 
 }  // namespace cell

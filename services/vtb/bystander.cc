@@ -85,10 +85,11 @@ void Bystander::Begin(World& world) {
     return;
   }
   if (times_.empty() || time_ < times_.front()) return;
-  if (Disturb(world)) {
-    times_.erase(times_.begin());
-  } else {
+  has_tried_in_vain_ = !Disturb(world);
+  if (has_tried_in_vain_) {
     times_.front() = time_ + kRetryAfter;
+  } else {
+    times_.erase(times_.begin());
   }
 }
 

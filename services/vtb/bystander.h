@@ -29,8 +29,11 @@ class Bystander {
   void AskFor(const std::string& part, const std::string& site);
 
   bool is_idle() const { return hand_.is_idle(); }
-  /// Nothing that was planned is still to come.
-  bool is_done() const { return is_idle() && times_.empty(); }
+  /// Nothing that was planned is still to come, or the next has been tried and
+  /// cannot be done as things are.
+  bool is_done() const {
+    return is_idle() && (times_.empty() || has_tried_in_vain_);
+  }
 
  private:
   struct Wish {
@@ -53,6 +56,7 @@ class Bystander {
   HandActor hand_;
   std::vector<double> times_;  // [s] when it disturbs, ascending
   double time_ = 0;
+  bool has_tried_in_vain_ = false;
   std::optional<Wish> wish_;
 };
 
