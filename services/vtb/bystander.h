@@ -10,6 +10,7 @@
 #include "services/vtb/hand_actor.h"
 #include "services/vtb/script.h"
 #include "services/vtb/tabletop.h"
+#include "services/vtb/within_reach.h"
 #include "services/vtb/world.h"
 
 namespace cell {
@@ -41,6 +42,9 @@ class Bystander {
   };
 
   void Begin(World& world);
+  std::vector<Tabletop::Placed> SceneIn(const World& world) const;
+  std::optional<Eigen::Isometry3d> AtOneOfThePlaces(const std::string& part,
+                                                    const World& world);
   bool Disturb(const World& world);
   bool PlaceSomething(const World& world);
   bool Place(const Wish& wish, const World& world);
@@ -54,6 +58,7 @@ class Bystander {
   std::shared_ptr<const Tabletop> tabletop_;
   std::mt19937_64 random_;
   HandActor hand_;
+  WithinReach reach_;
   std::vector<double> times_;  // [s] when it disturbs, ascending
   double time_ = 0;
   bool has_tried_in_vain_ = false;
