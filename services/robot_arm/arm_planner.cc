@@ -56,19 +56,50 @@ bool ComesNearer(ArmPosture posture, const ArmPlanner::WayAhead& way,
   });
 }
 
+// Of choices that bring the gripper to about the same place in the same branch
+// of the kinematics one is enough: the others have the same way, or none.
+class TriedWays {
+ public:
+  explicit TriedWays(const ArmLayout& arm) : arm_(arm) {}
+
+  // True if nothing like it was tried; it counts as tried from now on.
+  bool Add(const Joints& q) {
+    const Way way{ur5::BranchOf(q), GripperPose(arm_, q).translation()};
+    const bool is_known = std::ranges::any_of(ways_, [&](const Way& other) {
+      return other.branch == way.branch &&
+             (other.p_WG - way.p_WG).norm() < kSamePlace;
+    });
+    if (!is_known) ways_.push_back(way);
+    return !is_known;
+  }
+
+ private:
+  static constexpr double kSamePlace = 0.03;  // [m]
+  struct Way {
+    ur5::Branch branch;
+    Vector3d p_WG;
+  };
+  const ArmLayout& arm_;
+  std::vector<Way> ways_;
+};
+
 // The first choice to which plan(choice) knows a way; else why the first of all
 // has none.
 template <class Choice, class Plan>
-OrReason<Choice> FirstWithWay(const std::vector<Choice>& choices,
-                              const Plan& plan) {
-  std::string why;
+void FindWay(const std::vector<Choice>& choices, TriedWays* tried,
+             const Plan& plan, OrReason<Choice>* planned) {
   for (const Choice& choice : choices) {
+    if (!tried->Add(choice.q_approach)) continue;
     const OrReason<JointTrajectory> way = plan(choice);
     const auto* reason = std::get_if<std::string>(&way);
-    if (reason == nullptr) return choice;
-    if (why.empty()) why = *reason;
+    if (reason == nullptr) {
+      *planned = choice;
+      return;
+    }
+    if (auto* why = std::get_if<std::string>(planned); why->empty()) {
+      *why = *reason;
+    }
   }
-  return why;
 }
 
 ReachParams ReachParamsOf(const SkillSettings& settings) {
@@ -185,18 +216,20 @@ OrReason<GraspChoice> ArmPlanner::PlanPick(
     const Joints& q) const {
   using Grasps = std::vector<GraspChoice>;
   OrReason<GraspChoice> planned = "";
+  TriedWays tried(arm_);
   for (const size_t most : {kBestFew, kAll}) {
     const auto grasps =
         NowOrLater([&](const ArmScene& scene) -> OrReason<Grasps> {
           return GraspsIn(scene, part, target, q, most);
         });
     if (auto* reason = std::get_if<std::string>(&grasps)) {
-      planned = *reason;
+      if (std::get<std::string>(planned).empty()) planned = *reason;
       continue;
     }
-    planned = FirstWithWay(std::get<Grasps>(grasps), [&](const auto& grasp) {
+    const auto plan = [&](const GraspChoice& grasp) {
       return PlanTransit(q, grasp.q_approach, grasp.opening, grasp.grip);
-    });
+    };
+    FindWay(std::get<Grasps>(grasps), &tried, plan, &planned);
     if (std::holds_alternative<GraspChoice>(planned)) break;
   }
   return planned;
@@ -226,17 +259,19 @@ OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
                                             const Joints& q) const {
   using Places = std::vector<PlaceChoice>;
   OrReason<PlaceChoice> planned = "";
+  TriedWays tried(arm_);
   for (const size_t most : {kBestFew, kAll}) {
     const auto places = NowOrLater([&](const ArmScene& scene) {
       return PlacesIn(scene, target, q, most);
     });
     if (auto* reason = std::get_if<std::string>(&places)) {
-      planned = *reason;
+      if (std::get<std::string>(planned).empty()) planned = *reason;
       continue;
     }
-    planned = FirstWithWay(std::get<Places>(places), [&](const auto& place) {
+    const auto plan = [&](const PlaceChoice& place) {
       return PlanTransit(q, place.q_approach, held_->width, held_->grip);
-    });
+    };
+    FindWay(std::get<Places>(places), &tried, plan, &planned);
     if (std::holds_alternative<PlaceChoice>(planned)) break;
   }
   return planned;
@@ -391,15 +426,15 @@ std::vector<std::string> ArmPlanner::Reachable() const {
 bool ArmPlanner::IsGraspable(const std::string& part, const Isometry3d& X_WO) {
   bare_.PutPart(part, X_WO);
   OrReason<GraspChoice> planned = "";
+  TriedWays tried(arm_);
   for (const size_t most : {kBestFew, kAll}) {
     const auto grasps = GraspsIn(bare_, part, std::nullopt, arm_.home, most);
     if (std::holds_alternative<std::string>(grasps)) continue;
-    planned = FirstWithWay(
-        std::get<std::vector<GraspChoice>>(grasps), [&](const auto& grasp) {
-          return PlanWay(bare_, arm_.name,
-                         {arm_.home, grasp.grip, grasp.opening},
-                         grasp.q_approach, params_.settings.motion);
-        });
+    const auto plan = [&](const GraspChoice& grasp) {
+      return PlanWay(bare_, arm_.name, {arm_.home, grasp.grip, grasp.opening},
+                     grasp.q_approach, params_.settings.motion);
+    };
+    FindWay(std::get<std::vector<GraspChoice>>(grasps), &tried, plan, &planned);
     if (std::holds_alternative<GraspChoice>(planned)) break;
   }
   bare_.RemovePart(part);
