@@ -88,8 +88,8 @@ class ArmPlanner {
   bool IsHandNear(const Eigen::Vector3d& p_W) const;
 
   /// Parts that PlanPick would take where they lie, sorted: as of the last
-  /// refresh, which looks at one part that has moved. Not those in a person's hand. What
-  /// can be moved out of the way is not in the way.
+  /// refresh, which looks at one part that has moved. Not those in a person's
+  /// hand. What can be moved out of the way is not in the way.
   std::vector<std::string> Reachable() const;
   void RefreshReachable();
 

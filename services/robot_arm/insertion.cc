@@ -116,10 +116,10 @@ void Insertion::Watch(const ContactWrench& contact, double height, double dt) {
     return;
   }
   if (!params_.is_searching) {
-    Fail(fmt::format(
-        "it is stuck {:.1f} mm from its seat, {:.1f} mm allowed "
-        "(tolerance_mm), by {:.1f} N at the wrist sensor",
-        1e3 * left, 1e3 * params_.tolerance, contact.force.norm()));
+    Fail(
+        fmt::format("it is stuck {:.1f} mm from its seat, {:.1f} mm allowed "
+                    "(tolerance_mm), by {:.1f} N at the wrist sensor",
+                    1e3 * left, 1e3 * params_.tolerance, contact.force.norm()));
     return;
   }
   if (spiral_angle_ >= 0) return;

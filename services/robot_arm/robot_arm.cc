@@ -79,8 +79,8 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
         },
         1);
     if (arm.name == name_) {
-      bus_.Subscribe<arm_stop_t>(
-          "ARM_STOP_" + suffix_, [this](const auto& m) { return OnStop(m); });
+      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + suffix_,
+                                 [this](const auto& m) { return OnStop(m); });
     }
     if (arm.name == name_ && arm.X_FS) {
       bus.Subscribe<wrench_t>(
@@ -173,12 +173,12 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
                              static_cast<SkillRequest::Kind>(message.skill),
                              message.part, message.site};
   if (bus_.now() > message.deadline_utime) {
-    PublishResult({request.id, SkillResult::Outcome::kRefused,
-                   fmt::format("the request has come {:.3f} s after its "
-                               "deadline",
-                               1e-6 * static_cast<double>(
-                                          bus_.now() -
-                                          message.deadline_utime))});
+    PublishResult(
+        {request.id, SkillResult::Outcome::kRefused,
+         fmt::format(
+             "the request has come {:.3f} s after its "
+             "deadline",
+             1e-6 * static_cast<double>(bus_.now() - message.deadline_utime))});
     return true;
   }
   worker_->Begin(request, LeaveToMove());

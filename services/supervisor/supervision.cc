@@ -43,8 +43,7 @@ std::vector<Notice> Supervision::Update(int64_t now) {
     };
     const std::string text = fmt::format(
         "{} has been silent for {:.3f} s, of {:.3f} s allowed: {}", name,
-        seconds(now - row.heard), seconds(row.row.silence_us),
-        row.row.meaning);
+        seconds(now - row.heard), seconds(row.row.silence_us), row.row.meaning);
     if (row.row.hold != Hold::kNone) silent_[name] = {row.row.hold, text};
     Note(row.row.level, Notice::Cause::kSilent, text);
   }

@@ -21,8 +21,8 @@
 namespace cell {
 
 /// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, ARM_STOP_*,
-/// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for so short a time
-/// that arms come to rest by themselves if this service dies.
+/// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for
+/// so short a time that arms come to rest by themselves if this service dies.
 class Supervisor final : public Service {
  public:
   struct Params {

@@ -58,7 +58,7 @@ class ArmDevice {
   std::vector<std::string> body_names_;
   ArmServo servo_;
   Gripper gripper_;
-  int num_stopped_ = 0;      // ticks since it has stopped
+  int num_stopped_ = 0;  // ticks since it has stopped
   int64_t stop_utime_ = 0;
   double force_ = 0;  // [N] on the tool in the tick before
   /// Of the tool's centre of mass, in the two ticks before: what it is

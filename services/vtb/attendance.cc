@@ -17,9 +17,10 @@ std::optional<std::string> Attendance::WhyInVain(int32_t tick) const {
   if (!patience_ || is_attended_ || !hold_tick_) return std::nullopt;
   const int32_t waited = tick - *hold_tick_;
   if (waited < *patience_) return std::nullopt;
-  return fmt::format("the cell has been held for {:.0f} s, and no operator is "
-                     "there to resume it: {}",
-                     1e-6 * static_cast<double>(waited * kTickUs), reason_);
+  return fmt::format(
+      "the cell has been held for {:.0f} s, and no operator is "
+      "there to resume it: {}",
+      1e-6 * static_cast<double>(waited * kTickUs), reason_);
 }
 
 }  // namespace cell

@@ -76,7 +76,9 @@ Demonstrator::Demonstrator(std::shared_ptr<const DemonstratorBook> book,
   Tabletop::Accept accept;
   if (script_->agent == "robot") {
     accept = [reach = WithinReach(world.table(), world.layout())](
-                 const auto& scene) { return reach.CanTakeAll(scene); };
+                 const auto& scene) {
+      return reach.CanTakeAll(scene);
+    };
   }
   for (const auto& placed : tabletop_->Scatter(random_, accept)) {
     world.Place(placed.part, placed.X_WO);

@@ -86,14 +86,12 @@ Vtb::Vtb(Bus& bus, const Params& params)
   bus_.Subscribe<command_episode_t>(
       "COMMAND_EPISODE",
       [this](const command_episode_t& m) { return OnCommand(m); });
-  bus_.Subscribe<command_mode_t>("COMMAND_MODE",
-                                 [this](const command_mode_t& m) {
-                                   return OnOperator(m.deadline_utime);
-                                 });
-  bus_.Subscribe<command_goal_t>("COMMAND_GOAL",
-                                 [this](const command_goal_t& m) {
-                                   return OnOperator(m.deadline_utime);
-                                 });
+  bus_.Subscribe<command_mode_t>(
+      "COMMAND_MODE",
+      [this](const command_mode_t& m) { return OnOperator(m.deadline_utime); });
+  bus_.Subscribe<command_goal_t>(
+      "COMMAND_GOAL",
+      [this](const command_goal_t& m) { return OnOperator(m.deadline_utime); });
   bus_.Subscribe<operating_mode_t>(
       "MODE", [this](const operating_mode_t& m) { return OnMode(m); });
   bus_.Every(1, 0, [this] { OnTick(); });

@@ -198,8 +198,7 @@ TEST(Vtb, EndsTheRunOfACellThatIsHeldAndHasNoOperator) {
   EXPECT_EQ(run.num_episodes(), 1) << "the next one would be held, too";
   ASSERT_EQ(run.alerts().size(), 1u);
   EXPECT_EQ(run.alerts()[0].cause, alert_t::UNATTENDED);
-  EXPECT_NE(run.alerts()[0].text.find("an arm has stopped"),
-            std::string::npos);
+  EXPECT_NE(run.alerts()[0].text.find("an arm has stopped"), std::string::npos);
 }
 
 TEST(Vtb, WaitsForAnOperatorWhoIsThere) {

@@ -21,9 +21,9 @@ using Poses = std::map<std::string, Isometry3d>;
 
 // One part of each type, and where it goes.
 const std::map<std::string, std::string> kSites = {
-    {"round_peg_1", "base.round_1"}, {"square_peg_1", "base.square_1"},
-    {"shaft", "base.shaft"},         {"separator", "base.separator"},
-    {"pendulum", "base.pendulum"},   {"head", "pendulum.head"},
+    {"round_peg_1", "base.round_1"},  {"square_peg_1", "base.square_1"},
+    {"shaft", "base.shaft"},          {"separator", "base.separator"},
+    {"pendulum", "base.pendulum"},    {"head", "pendulum.head"},
     {"face_plate", "base.face_plate"}};
 
 // Of each part; 1000 take minutes.
@@ -107,8 +107,8 @@ class ReachableParts : public testing::TestWithParam<std::string> {
 
 TEST_P(ReachableParts, AreReportedJustWhenThereIsAWayToTheEnd) {
   for (int i = 0; i < NumPoses(); ++i) {
-    const Poses poses = With(At(Between(-0.43, 0.53), Between(-0.67, -0.13),
-                                Yaw()));
+    const Poses poses =
+        With(At(Between(-0.43, 0.53), Between(-0.67, -0.13), Yaw()));
     for (const ArmLayout& arm : task_.layout.arms) {
       ArmPlanner planner = PlannerOf(arm, poses);
       const bool is_reported = IsReported(planner);
@@ -143,10 +143,8 @@ TEST_P(ReachableParts, AreReportedByAnArmWhereTheyAreScattered) {
   const WithinReach reach(task_.parts, task_.layout);
   const Tabletop tabletop(task_.parts, task_.layout, 0.040);
   for (int i = 0; i < NumPoses(); ++i) {
-    const auto placed =
-        tabletop.Scatter(random_, [&](const auto& scene) {
-          return reach.CanTakeAll(scene);
-        });
+    const auto placed = tabletop.Scatter(
+        random_, [&](const auto& scene) { return reach.CanTakeAll(scene); });
     ASSERT_THAT(placed, SizeIs(9));
     const auto at = std::ranges::find(placed, part_, &Tabletop::Placed::part);
     EXPECT_TRUE(IsAnyReported(With(at->X_WO)))
@@ -154,11 +152,11 @@ TEST_P(ReachableParts, AreReportedByAnArmWhereTheyAreScattered) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    OfEachType, ReachableParts,
-    testing::Values("round_peg_1", "square_peg_1", "shaft", "separator",
-                    "pendulum", "head", "face_plate"),
-    [](const auto& part) { return part.param; });
+INSTANTIATE_TEST_SUITE_P(OfEachType, ReachableParts,
+                         testing::Values("round_peg_1", "square_peg_1", "shaft",
+                                         "separator", "pendulum", "head",
+                                         "face_plate"),
+                         [](const auto& part) { return part.param; });
 
 }  // namespace
 }  // namespace cell

@@ -33,8 +33,8 @@ std::string TellWatched(const EpisodeRecord& record) {
 
 // The last word of whoever ended the run for want of an operator.
 std::optional<std::string> WhyUnattended(const EpisodeRecord& record) {
-  const auto at = std::ranges::find(record.alerts, alert_t::UNATTENDED,
-                                    &alert_t::cause);
+  const auto at =
+      std::ranges::find(record.alerts, alert_t::UNATTENDED, &alert_t::cause);
   if (at == record.alerts.end()) return std::nullopt;
   return at->text;
 }
