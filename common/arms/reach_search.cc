@@ -1,5 +1,7 @@
 #include "common/arms/reach_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,39 @@ Isometry3d TurnedAboutZ(double angle) {
 double CostOf(const ArmModel& arm, const Joints& q, const Joints& seed) {
   constexpr double kLimitWeight = 0.2;  // [rad^2]
   return (q - seed).norm() + kLimitWeight / std::max(arm.LimitMargin(q), 0.01);
+}
+
+// "outside the arm's workspace: x at -380 mm, -355 to 555 mm are allowed"
+std::string WhyOutside(const Eigen::AlignedBox3d& workspace,
+                       const std::vector<Isometry3d>& poses) {
+  for (const Isometry3d& X_WG : poses) {
+    for (int i = 0; i < 3; ++i) {
+      const double p = X_WG.translation()[i];
+      if (p >= workspace.min()[i] && p <= workspace.max()[i]) continue;
+      return fmt::format(
+          "outside the arm's workspace: {} of the gripper at {:.1f} mm, {:.0f} "
+          "to {:.0f} mm are allowed",
+          "xyz"[i], 1e3 * p, 1e3 * workspace.min()[i],
+          1e3 * workspace.max()[i]);
+    }
+  }
+  return "outside the arm's workspace";
+}
+
+// "beyond a joint limit: joint 6 at 480.2 deg, 358.9 deg are allowed"
+std::string WhyBeyond(const ArmModel& arm, const Joints& q, double turn,
+                      double margin) {
+  int worst = 0;
+  const double turned = q[5] + turn;
+  Joints farthest = q;
+  if (std::abs(turned) > std::abs(q[5])) farthest[5] = turned;
+  (farthest.cwiseAbs() - arm.limits().angle).maxCoeff(&worst);
+  constexpr double kDegrees = 180 / kPi;
+  return fmt::format(
+      "beyond a joint limit: joint {} at {:.1f} deg, {:.1f} deg either way are "
+      "allowed",
+      worst + 1, kDegrees * farthest[worst],
+      kDegrees * (arm.limits().angle[worst] - margin));
 }
 
 template <class Candidates>
@@ -60,7 +95,7 @@ std::vector<std::vector<Joints>> ReachSearch::Tracks(
   const Eigen::AlignedBox3d workspace = arm_.PlannedWorkspace();
   if (!workspace.contains(X_WG_begin.translation()) ||
       !workspace.contains(X_WG_end.translation())) {
-    Fail(Stage::kReach, "outside the arm's workspace");
+    Fail(Stage::kReach, WhyOutside(workspace, {X_WG_begin, X_WG_end}));
     return tracks;
   }
   const auto solutions =
@@ -69,7 +104,8 @@ std::vector<std::vector<Joints>> ReachSearch::Tracks(
   for (const Joints& solution : solutions) {
     Joints q = arm_.model->NearestTo(seed, solution);
     if (!FindRoom(&q, turn)) {
-      Fail(Stage::kLimits, "beyond a joint limit");
+      Fail(Stage::kLimits,
+           WhyBeyond(*arm_.model, q, turn, params_.line.joint_margin));
       continue;
     }
     StraightLine line = TrackLine(arm_, q, X_WG_begin, params_.line);

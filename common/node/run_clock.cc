@@ -58,6 +58,7 @@ int RunClock(const std::string& name, int argc, char** argv,
     CellFiles files = FindCellFiles(arguments.deploy_dir);
     files.deployment.run_dir = arguments.run_dir;
     files.deployment.is_live = arguments.is_live;
+    files.deployment.has_operator = arguments.is_live;
     const ServiceFactory factory = [&](Bus& bus) {
       return maker(bus, files.deployment, demonstration, seed);
     };

@@ -66,9 +66,13 @@ std::string AskForWishes(const Plan& no_plan, const State& state,
 std::string AskAfterFailures(const GroundAction& action,
                              const Attempts::Entry& attempts,
                              const Domain& domain) {
+  // Only what arms do is tried.
+  const std::string& arm =
+      domain.vocabulary().objects()[domain.SkillOf(action)->arm].name;
   return fmt::format(
-      "{} has failed {} times: {}; please do it, or change what hinders it",
-      domain.Show(action), attempts.count, attempts.reason);
+      "{} by the {} arm has failed {} times: {}; please do it, or change what "
+      "hinders it",
+      domain.Show(action), arm, attempts.count, attempts.reason);
 }
 
 }  // namespace

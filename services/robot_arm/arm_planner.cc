@@ -15,6 +15,8 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
+// Ways to take and to place that are looked at.
+constexpr size_t kBestFew = 8, kBestTransfers = 4, kAll = 1000;
 constexpr double kMoved = 0.002;       // [m] a part has moved
 constexpr double kTurned = 0.01;       // [rad] or turned
 constexpr double kFromHands = 0.25;    // [m] that people's hands are given
@@ -32,13 +34,6 @@ constexpr double kNear = 0.0015;      // [m] at a grasp or a place
 constexpr double kMoving = 1e-4;      // [rad] of a joint in a tick
 constexpr double kFromStill = 0.006;  // [m] that an arm that stands is given
 constexpr double kFromMoving = 0.06;  // [m] that an arm that moves is given
-
-CellLayout Alone(const CellLayout& layout, const std::string& arm) {
-  CellLayout alone = layout;
-  std::erase_if(alone.arms,
-                [&](const auto& other) { return other.name != arm; });
-  return alone;
-}
 
 // With a grip that the hand has: its first if it has not this one.
 ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
@@ -59,6 +54,53 @@ bool ComesNearer(ArmPosture posture, const ArmPlanner::WayAhead& way,
     posture.q = *ahead;
     return distance(posture) < before;
   });
+}
+
+// Of choices that bring the gripper to about the same place in the same
+// configuration one is enough: the others have the same way, or none.
+class TriedWays {
+ public:
+  explicit TriedWays(const ArmLayout& arm) : arm_(arm) {}
+
+  // True if nothing like it was tried; it counts as tried from now on.
+  bool Add(const Joints& q) {
+    const Way way{arm_.model->ConfigurationOf(q),
+                  GripperPose(arm_, q).translation()};
+    const bool is_known = std::ranges::any_of(ways_, [&](const Way& other) {
+      return other.configuration == way.configuration &&
+             (other.p_WG - way.p_WG).norm() < kSamePlace;
+    });
+    if (!is_known) ways_.push_back(way);
+    return !is_known;
+  }
+
+ private:
+  static constexpr double kSamePlace = 0.03;  // [m]
+  struct Way {
+    IkConfiguration configuration;
+    Vector3d p_WG;
+  };
+  const ArmLayout& arm_;
+  std::vector<Way> ways_;
+};
+
+// The first choice to which plan(choice) knows a way; else why the first of all
+// has none.
+template <class Choice, class Plan>
+void FindWay(const std::vector<Choice>& choices, TriedWays* tried,
+             const Plan& plan, OrReason<Choice>* planned) {
+  for (const Choice& choice : choices) {
+    if (!tried->Add(choice.q_approach)) continue;
+    const OrReason<JointTrajectory> way = plan(choice);
+    const auto* reason = std::get_if<std::string>(&way);
+    if (reason == nullptr) {
+      *planned = choice;
+      return;
+    }
+    if (auto* why = std::get_if<std::string>(planned); why->empty()) {
+      *why = *reason;
+    }
+  }
 }
 
 ReachParams ReachParamsOf(const SkillSettings& settings) {
@@ -82,7 +124,7 @@ ArmPlanner::ArmPlanner(const Params& params)
     : params_(params),
       arm_(*params_.layout.FindArm(params.arm)),
       scene_(params_.parts, params_.layout),
-      bare_(params_.parts, Alone(params_.layout, params.arm)) {
+      bare_(params_.parts, params_.layout) {
   for (const Part& part : params_.parts.parts()) {
     shapes_.emplace(part.name, PartShape(part));
   }
@@ -169,37 +211,84 @@ auto ArmPlanner::NowOrLater(const Plan& plan) const {
                                                             : planned_later;
 }
 
+// The best few are looked at first, then all.
 OrReason<GraspChoice> ArmPlanner::PlanPick(
     const std::string& part, const std::optional<PlaceTarget>& target,
     const Joints& q) const {
-  return NowOrLater([&](const ArmScene& scene) -> OrReason<GraspChoice> {
-    const Reach reach(scene, arm_.name, ReachParamsOf(params_.settings));
-    if (target) {
-      const auto transfers = reach.Transfers(part, *target, q);
-      if (!transfers) return transfers.reason;
-      return transfers.list.front().grasp;
+  using Grasps = std::vector<GraspChoice>;
+  OrReason<GraspChoice> planned = "";
+  TriedWays tried(arm_);
+  for (const size_t most : {kBestFew, kAll}) {
+    const auto grasps =
+        NowOrLater([&](const ArmScene& scene) -> OrReason<Grasps> {
+          return GraspsIn(scene, part, target, q, most);
+        });
+    if (auto* reason = std::get_if<std::string>(&grasps)) {
+      if (std::get<std::string>(planned).empty()) planned = *reason;
+      continue;
     }
+    const auto plan = [&](const GraspChoice& grasp) {
+      return PlanTransit(q, grasp.q_approach, grasp.opening, grasp.grip);
+    };
+    FindWay(std::get<Grasps>(grasps), &tried, plan, &planned);
+    if (std::holds_alternative<GraspChoice>(planned)) break;
+  }
+  return planned;
+}
+
+OrReason<std::vector<GraspChoice>> ArmPlanner::GraspsIn(
+    const ArmScene& scene, const std::string& part,
+    const std::optional<PlaceTarget>& target, const Joints& q,
+    size_t most) const {
+  ReachParams params = ReachParamsOf(params_.settings);
+  params.max_choices = most;
+  const Reach reach(scene, arm_.name, params);
+  if (!target) {
     const auto grasps = reach.Grasps(part, q);
     if (!grasps) return grasps.reason;
-    return grasps.list.front();
-  });
+    return grasps.list;
+  }
+  const auto transfers =
+      reach.Transfers(part, *target, q, most == kAll ? kAll : kBestTransfers);
+  if (!transfers) return transfers.reason;
+  std::vector<GraspChoice> grasps;
+  for (const auto& transfer : transfers.list) grasps.push_back(transfer.grasp);
+  return grasps;
 }
 
 OrReason<PlaceChoice> ArmPlanner::PlanPlace(const PlaceTarget& target,
                                             const Joints& q) const {
-  return NowOrLater(
-      [&](const ArmScene& scene) { return PlaceIn(scene, target, q); });
+  using Places = std::vector<PlaceChoice>;
+  OrReason<PlaceChoice> planned = "";
+  TriedWays tried(arm_);
+  for (const size_t most : {kBestFew, kAll}) {
+    const auto places = NowOrLater([&](const ArmScene& scene) {
+      return PlacesIn(scene, target, q, most);
+    });
+    if (auto* reason = std::get_if<std::string>(&places)) {
+      if (std::get<std::string>(planned).empty()) planned = *reason;
+      continue;
+    }
+    const auto plan = [&](const PlaceChoice& place) {
+      return PlanTransit(q, place.q_approach, held_->width, held_->grip);
+    };
+    FindWay(std::get<Places>(places), &tried, plan, &planned);
+    if (std::holds_alternative<PlaceChoice>(planned)) break;
+  }
+  return planned;
 }
 
-OrReason<PlaceChoice> ArmPlanner::PlaceIn(const ArmScene& scene,
-                                          const PlaceTarget& target,
-                                          const Joints& q) const {
-  const Reach reach(scene, arm_.name, ReachParamsOf(params_.settings));
+OrReason<std::vector<PlaceChoice>> ArmPlanner::PlacesIn(
+    const ArmScene& scene, const PlaceTarget& target, const Joints& q,
+    size_t most) const {
+  ReachParams params = ReachParamsOf(params_.settings);
+  params.max_choices = most;
+  const Reach reach(scene, arm_.name, params);
   const ArmPosture holding = Posture(arm_, {q, held_->grip, held_->width});
   const auto places = reach.Placements(held_->part, held_->X_GO, holding.grip,
                                        holding.opening, target, q);
   if (!places) return "its place: " + places.reason;
-  return places.list.front();
+  return places.list;
 }
 
 OrReason<JointTrajectory> ArmPlanner::PlanTransit(
@@ -246,7 +335,8 @@ OrReason<PlaceTarget> ArmPlanner::FreePlaceIn(const ArmScene& scene,
             AngleAxisd(2 * std::numbers::pi * i / num_yaws, Vector3d::UnitZ());
         const auto near = scene.Neighbours(held_->part, target.X_WO, apart);
         if (near.size() > 1) continue;  // than the table
-        if (std::holds_alternative<PlaceChoice>(PlaceIn(scene, target, q)) &&
+        const auto places = PlacesIn(scene, target, q, 1);
+        if (!std::holds_alternative<std::string>(places) &&
             (taker == Taker::kAnyone || CanOtherTake(scene, target.X_WO))) {
           return target;
         }
@@ -336,10 +426,20 @@ std::vector<std::string> ArmPlanner::Reachable() const {
 
 bool ArmPlanner::IsGraspable(const std::string& part, const Isometry3d& X_WO) {
   bare_.PutPart(part, X_WO);
-  const Reach reach(bare_, arm_.name, ReachParamsOf(params_.settings));
-  const bool is_graspable(reach.Grasps(part, arm_.home));
+  OrReason<GraspChoice> planned = "";
+  TriedWays tried(arm_);
+  for (const size_t most : {kBestFew, kAll}) {
+    const auto grasps = GraspsIn(bare_, part, std::nullopt, arm_.home, most);
+    if (std::holds_alternative<std::string>(grasps)) continue;
+    const auto plan = [&](const GraspChoice& grasp) {
+      return PlanWay(bare_, arm_.name, {arm_.home, grasp.grip, grasp.opening},
+                     grasp.q_approach, params_.settings.motion);
+    };
+    FindWay(std::get<std::vector<GraspChoice>>(grasps), &tried, plan, &planned);
+    if (std::holds_alternative<GraspChoice>(planned)) break;
+  }
   bare_.RemovePart(part);
-  return is_graspable;
+  return std::holds_alternative<GraspChoice>(planned);
 }
 
 void ArmPlanner::RefreshReachable() {

@@ -54,11 +54,12 @@ class ArmPlanner {
   /// The part that all fingers touch.
   std::optional<std::string> FindGrasped(const ArmPosture& posture) const;
 
-  /// With a target: so that the part can also be placed there.
+  /// Grasps to which there is a way. With a target: so that the part can also
+  /// be placed there.
   OrReason<GraspChoice> PlanPick(const std::string& part,
                                  const std::optional<PlaceTarget>& target,
                                  const Joints& q) const;
-  /// Of what is held.
+  /// Of what is held, to where there is a way.
   OrReason<PlaceChoice> PlanPlace(const PlaceTarget& target,
                                   const Joints& q) const;
   OrReason<JointTrajectory> PlanTransit(const Joints& from, const Joints& to,
@@ -86,9 +87,9 @@ class ArmPlanner {
   /// True if a person's hand is nearer to the point than people are given.
   bool IsHandNear(const Eigen::Vector3d& p_W) const;
 
-  /// Parts that it could take where they lie, sorted: as of the last refresh,
-  /// which looks at one part that has moved. Not those in a person's hand. What
-  /// can be moved out of the way is not in the way.
+  /// Parts that PlanPick would take where they lie, sorted: as of the last
+  /// refresh, which looks at one part that has moved. Not those in a person's
+  /// hand. What can be moved out of the way is not in the way.
   std::vector<std::string> Reachable() const;
   void RefreshReachable();
 
@@ -104,9 +105,14 @@ class ArmPlanner {
   void Arrange();
   template <class Plan>
   auto NowOrLater(const Plan& plan) const;
-  OrReason<PlaceChoice> PlaceIn(const ArmScene& scene,
-                                const PlaceTarget& target,
-                                const Joints& q) const;
+  OrReason<std::vector<GraspChoice>> GraspsIn(
+      const ArmScene& scene, const std::string& part,
+      const std::optional<PlaceTarget>& target, const Joints& q,
+      size_t most) const;
+  OrReason<std::vector<PlaceChoice>> PlacesIn(const ArmScene& scene,
+                                              const PlaceTarget& target,
+                                              const Joints& q,
+                                              size_t most) const;
   OrReason<PlaceTarget> FreePlaceIn(const ArmScene& scene,
                                     const Eigen::AlignedBox2d& area,
                                     Taker taker, const Joints& q) const;
@@ -117,7 +123,7 @@ class ArmPlanner {
   Params params_;
   const ArmLayout& arm_;
   ArmScene scene_;
-  ArmScene bare_;  ///< without other arms and all that can be moved
+  ArmScene bare_;  ///< other arms at home, nothing there that can be moved
   std::optional<HeldPart> held_;
   std::map<std::string, Other> others_;  ///< by arm
   std::map<std::string, Eigen::Isometry3d> poses_;

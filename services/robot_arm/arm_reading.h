@@ -16,6 +16,7 @@ struct ArmReading {
   std::string stance;          ///< of the fingers: a grip of the hand's type
   bool is_gripping = false;
   bool is_stopped = false;  ///< protective stop
+  std::string why_stopped;  ///< which limit, what was measured
   /// In S, as read: with bias and weights. Nothing: no sensor, or it is silent.
   struct SensedWrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]

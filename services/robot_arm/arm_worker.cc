@@ -140,7 +140,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   planner_.RefreshReachable();
   if (reading.is_stopped && request_) {
     End(SkillResult::Outcome::kStopped,
-        "protective stop: the force has grown too high");
+        "protective stop: " + reading.why_stopped);
     // Nothing need be as it was: all is found out again.
     ForgetHeld();
     knows_place_ = false;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/layout/limit_words.h"
+
 namespace cell {
 namespace {
 
@@ -49,13 +51,14 @@ Insertion::State Insertion::Step(const ContactWrench& contact, double height,
   const double force = contact.force.norm();
   peak_force_ = std::max(peak_force_, force);
   if (force > params_.max_force) {
-    Fail(fmt::format("a force of {:.0f} N, more than the {:.0f} N allowed",
-                     force, params_.max_force));
+    Fail("the wrist sensor measured " +
+         Exceeded(force, params_.max_force, "N") + " (max_force)");
     return state_;
   }
   if (time_ > params_.timeout) {
-    Fail(fmt::format("it is {:.1f} mm from its seat after {:.0f} s",
-                     1e3 * (height - params_.end_height), params_.timeout));
+    Fail(fmt::format(
+        "it is {:.1f} mm from its seat after the {:.0f} s allowed (timeout_s)",
+        1e3 * (height - params_.end_height), params_.timeout));
     return state_;
   }
   Watch(contact, height, dt);
@@ -113,8 +116,10 @@ void Insertion::Watch(const ContactWrench& contact, double height, double dt) {
     return;
   }
   if (!params_.is_searching) {
-    Fail(fmt::format("it is stuck {:.1f} mm from its seat",
-                     1e3 * (height - params_.end_height)));
+    Fail(
+        fmt::format("it is stuck {:.1f} mm from its seat, {:.1f} mm allowed "
+                    "(tolerance_mm), by {:.1f} N at the wrist sensor",
+                    1e3 * left, 1e3 * params_.tolerance, contact.force.norm()));
     return;
   }
   if (spiral_angle_ >= 0) return;
@@ -141,8 +146,8 @@ void Insertion::Search(double height, double dt) {
   spiral_angle_ = 0;
   if (++num_spirals_ > kMaxSpirals) {
     Fail(
-        fmt::format("{} searches have found no way in, {:.1f} mm from the "
-                    "seat",
+        fmt::format("{} searches, as many as allowed, have found no way in, "
+                    "{:.1f} mm from the seat",
                     kMaxSpirals, 1e3 * (height - params_.end_height)));
   }
 }

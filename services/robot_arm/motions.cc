@@ -142,7 +142,8 @@ SkillStage::State Tare::Step(const ArmReading&, double dt, ArmCommand*) {
 }
 
 std::string Tare::reason() const {
-  return "the force-torque sensor is silent";
+  return "the wrist force-torque sensor has been silent for more than the "
+         "0.2 s allowed";
 }
 
 }  // namespace cell

@@ -1,5 +1,7 @@
 #include "services/robot_arm/robot_arm.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "cell/skill_result_t.hpp"
 #include "common/arms/cell_check.h"
 #include "common/kinematics/joint_values.h"
+#include "common/layout/limit_words.h"
 #include "common/sec/track.h"
 
 namespace cell {
@@ -76,6 +79,10 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
           return arm == name_ ? OnState(m) : OnOther(arm, m);
         },
         1);
+    if (arm.name == name_) {
+      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + suffix_,
+                                 [this](const auto& m) { return OnStop(m); });
+    }
     if (arm.name == name_ && arm.X_FS) {
       bus.Subscribe<wrench_t>(
           "WRENCH_" + suffix_, [this](const auto& m) { return OnWrench(m); },
@@ -103,6 +110,14 @@ bool RobotArm::OnState(const arm_state_t& message) {
   auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) return false;
   reading_ = *std::move(reading);
+  if (!reading_->is_stopped) why_stopped_ = "its device has not said why";
+  return true;
+}
+
+bool RobotArm::OnStop(const arm_stop_t& message) {
+  const auto why = WhyStopped(message);
+  if (!why || message.arm != name_) return false;
+  why_stopped_ = *why;
   return true;
 }
 
@@ -163,8 +178,12 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
                              static_cast<SkillRequest::Kind>(message.skill),
                              message.part, message.site};
   if (bus_.now() > message.deadline_utime) {
-    PublishResult({request.id, SkillResult::Outcome::kRefused,
-                   "the request has come too late"});
+    PublishResult(
+        {request.id, SkillResult::Outcome::kRefused,
+         fmt::format(
+             "the request has come {:.3f} s after its "
+             "deadline",
+             1e-6 * static_cast<double>(bus_.now() - message.deadline_utime))});
     return true;
   }
   worker_->Begin(request, LeaveToMove());
@@ -189,6 +208,7 @@ void RobotArm::OnTick() {
   if (!reading_) return;
   reading_->wrench.reset();
   if (bus_.now() - wrench_utime_ <= kFreshUs) reading_->wrench = wrench_;
+  reading_->why_stopped = why_stopped_;
   const ArmCommand command = worker_->Step(*reading_, LeaveToMove(), kTick);
   PublishSetpoint(command);
   if (const auto result = worker_->TakeResult()) PublishResult(*result);

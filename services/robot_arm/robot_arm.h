@@ -9,6 +9,7 @@
 
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
+#include "cell/arm_stop_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/skill_request_t.hpp"
@@ -39,6 +40,7 @@ class RobotArm final : public Service {
   const ArmModel& ModelOf(const std::string& arm) const;
   bool OnState(const arm_state_t& message);
   bool OnOther(const std::string& arm, const arm_state_t& message);
+  bool OnStop(const arm_stop_t& message);
   bool OnWrench(const wrench_t& message);
   bool OnPermit(const motion_permit_t& message);
   bool OnTracks(const tracks_t& message);
@@ -57,6 +59,7 @@ class RobotArm final : public Service {
   std::optional<ArmReading> reading_;
   std::optional<ArmReading::SensedWrench> wrench_;
   int64_t wrench_utime_ = 0;
+  std::string why_stopped_ = "its device has not said why";
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor
   arm_report_t last_report_{};

@@ -9,7 +9,9 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kSensorPatience = 0.05;  // [s] without a reading
-constexpr char kNoSensor[] = "the force-torque sensor is silent";
+constexpr char kNoSensor[] =
+    "the wrist force-torque sensor has been silent for more than the 0.05 s "
+    "allowed";
 constexpr char kNoWay[] = "the way to the site leads out of reach";
 
 }  // namespace

@@ -5,7 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/layout/limit_words.h"
+
 namespace cell {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+}  // namespace
 
 Turning::Turning(const Params& params, const Eigen::Isometry3d& X_SO)
     : params_(params), X_SO_(X_SO), z_(X_SO.translation().z()) {}
@@ -15,13 +22,23 @@ Turning::State Turning::Step(const ContactWrench& contact, double height,
   if (state_ != State::kRunning) return state_;
   if (std::abs(contact.torque.z()) > params_.max_torque) {
     state_ = angle_ >= params_.min_angle ? State::kDone : State::kFailed;
-    reason_ = fmt::format("the thread has jammed {:.1f} mm from its seat",
-                          1e3 * height);
+    reason_ = fmt::format(
+        "the thread has jammed {:.1f} mm from its seat: the wrist sensor "
+        "measured {} (max_torque) after {:.0f} deg, at least {:.0f} deg are "
+        "wanted (min_angle_deg)",
+        1e3 * height,
+        Exceeded(std::abs(contact.torque.z()), params_.max_torque, "N m"),
+        angle_ * kDegrees, params_.min_angle * kDegrees);
     return state_;
   }
   if (angle_ >= params_.max_angle) {
     state_ = State::kFailed;
-    reason_ = "it turns and turns, the thread does not hold";
+    reason_ = fmt::format(
+        "it has turned by the {:.0f} deg allowed (max_angle_deg), the wrist "
+        "sensor measured {:.2f} N m of the {:.2f} N m that mean tight "
+        "(max_torque): the thread does not hold",
+        params_.max_angle * kDegrees, std::abs(contact.torque.z()),
+        params_.max_torque);
     return state_;
   }
   angle_ += params_.rate * dt;

@@ -38,9 +38,12 @@ std::vector<Notice> Supervision::Update(int64_t now) {
       Note(AlertLevel::kInfo, Notice::Cause::kSilent, name + " is back");
       continue;
     }
+    const auto seconds = [](int64_t us) {
+      return 1e-6 * static_cast<double>(us);
+    };
     const std::string text = fmt::format(
-        "{} has been silent for {:.2f} s: {}", name,
-        1e-6 * static_cast<double>(row.row.silence_us), row.row.meaning);
+        "{} has been silent for {:.3f} s, of {:.3f} s allowed: {}", name,
+        seconds(now - row.heard), seconds(row.row.silence_us), row.row.meaning);
     if (row.row.hold != Hold::kNone) silent_[name] = {row.row.hold, text};
     Note(row.row.level, Notice::Cause::kSilent, text);
   }
@@ -56,9 +59,10 @@ void Supervision::HoldByOperator() {
   Note(AlertLevel::kInfo, Notice::Cause::kHeld, operators_.at("").reason);
 }
 
-void Supervision::StopProtectively(const std::string& arm) {
+void Supervision::StopProtectively(const std::string& arm,
+                                   const std::string& why) {
   const std::string reason = fmt::format(
-      "the {} arm has made a protective stop; look, then resume", arm);
+      "the {} arm has made a protective stop: {}; look, then resume", arm, why);
   if (!operators_.try_emplace(arm, Cause{Hold::kAtOnce, reason}).second) return;
   Note(AlertLevel::kError, Notice::Cause::kHeld, reason);
 }

@@ -53,7 +53,8 @@ class Supervision {
   void SetAgent(std::optional<Agent> agent) { agent_ = agent; }
   void HoldByOperator();
   void ResumeByOperator();
-  void StopProtectively(const std::string& arm);
+  /// `why`: which limit, and what was measured.
+  void StopProtectively(const std::string& arm, const std::string& why);
   /// Looks for silence. Every notice since the last call.
   std::vector<Notice> Update(int64_t now);
 

@@ -9,6 +9,7 @@
 #include "cell/motion_permit_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "common/bus/roster.h"
+#include "common/layout/limit_words.h"
 
 namespace cell {
 namespace {
@@ -63,6 +64,9 @@ Supervisor::Supervisor(Bus& bus, Params params)
     bus_.Subscribe<arm_state_t>(
         "ARM_STATE_" + InCapitals(arm),
         [this, arm](const auto& m) { return OnState(arm, m); });
+    bus_.Subscribe<arm_stop_t>(
+        "ARM_STOP_" + InCapitals(arm),
+        [this, arm](const auto& m) { return OnStop(arm, m); });
   }
   bus_.Every(1, 0, [this] { OnTick(); });
   bus_.Every(kModePeriod, kModePhase,
@@ -138,8 +142,16 @@ bool Supervisor::OnState(const std::string& arm, const arm_state_t& message) {
       servos_.try_emplace(arm, arm_state_t::FOLLOWING).first->second,
       message.servo);
   if (message.servo == arm_state_t::STOPPED && before != arm_state_t::STOPPED) {
-    Watch().StopProtectively(arm);
+    stopped_.insert(arm);
   }
+  if (message.servo != arm_state_t::STOPPED) why_.erase(arm);
+  return true;
+}
+
+bool Supervisor::OnStop(const std::string& arm, const arm_stop_t& message) {
+  const auto why = WhyStopped(message);
+  if (!why || message.arm != arm) return false;
+  why_[arm] = *why;
   return true;
 }
 
@@ -155,7 +167,8 @@ bool Supervisor::OnResult(const skill_result_t& message) {
   const bool was_held =
       held_utime_ && bus_.now() - *held_utime_ <= kAfterHoldUs;
   if (message.outcome == skill_result_t::STOPPED && !was_held) {
-    Watch().StopProtectively(message.arm);
+    why_.try_emplace(message.arm, message.reason);
+    stopped_.insert(message.arm);
   }
   return true;
 }
@@ -164,6 +177,11 @@ bool Supervisor::OnResult(const skill_result_t& message) {
 /// looked, or that knows of an operator's hold, must not take the first permit
 /// for the operator's leave.
 void Supervisor::OnTick() {
+  for (const std::string& arm : std::exchange(stopped_, {})) {
+    const auto why = why_.find(arm);
+    Watch().StopProtectively(
+        arm, why == why_.end() ? "its device has not said why" : why->second);
+  }
   for (const Notice& notice : Watch().Update(bus_.now())) Publish(notice);
   const Operation operation = Watch().operation();
   if (operation.mode == Mode::kHold) held_utime_ = bus_.now();

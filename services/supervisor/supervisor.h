@@ -9,6 +9,7 @@
 
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
+#include "cell/arm_stop_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/skill_result_t.hpp"
@@ -19,9 +20,9 @@
 
 namespace cell {
 
-/// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, SKILL_RESULT ->
-/// MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for so short a time
-/// that arms come to rest by themselves if this service dies.
+/// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, ARM_STOP_*,
+/// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for
+/// so short a time that arms come to rest by themselves if this service dies.
 class Supervisor final : public Service {
  public:
   struct Params {
@@ -40,6 +41,7 @@ class Supervisor final : public Service {
   bool OnStatus(const status_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnState(const std::string& arm, const arm_state_t& message);
+  bool OnStop(const std::string& arm, const arm_stop_t& message);
   bool OnResult(const skill_result_t& message);
   Supervision& Watch();
   void OnTick();
@@ -51,6 +53,8 @@ class Supervisor final : public Service {
   Params params_;
   std::optional<Supervision> supervision_;  // from the first tick on
   std::map<std::string, int8_t> servos_;    // last seen, by arm
+  std::set<std::string> stopped_;           // arms, in this tick
+  std::map<std::string, std::string> why_;  // they have stopped, by arm
   std::set<std::string> reporting_;         // arms
   std::optional<int64_t> held_utime_;       // last time of a hold
   std::optional<Operation> told_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cell/arm_state_t.hpp"
+#include "cell/arm_stop_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/arms/arm_bodies.h"
 #include "common/kinematics/joint_values.h"
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
+constexpr int kStopPeriod = 62;  // ticks
 constexpr double kStill = 1e-4;  // [rad/s]
 const Vector3d kGravity(0, 0, -9.81);
 
@@ -75,6 +77,7 @@ void ArmDevice::Publish(const World& world) {
   state.grip = static_cast<int8_t>(gripper_.state(world));
   state.servo = static_cast<int8_t>(servo_.state());
   bus_.Publish("ARM_STATE_" + suffix_, state);
+  PublishStop();
 
   force_ = world.hands().WrenchOn(layout_.gripper).force.norm();
   if (!layout_.X_FS) return;
@@ -84,6 +87,24 @@ void ArmDevice::Publish(const World& world) {
   std::copy_n(reading.force.data(), 3, wrench.force);
   std::copy_n(reading.torque.data(), 3, wrench.torque);
   bus_.Publish("WRENCH_" + suffix_, wrench);
+}
+
+void ArmDevice::PublishStop() {
+  if (servo_.state() != ArmServo::State::kStopped) {
+    num_stopped_ = 0;
+    return;
+  }
+  if (num_stopped_ == 0) stop_utime_ = bus_.now();
+  if (num_stopped_++ % kStopPeriod != 0) return;
+  arm_stop_t stop{};
+  stop.header.utime = stop_utime_;
+  stop.arm = layout_.name;
+  stop.limit = "stop_force_n";
+  stop.where = "the gripper of the " + layout_.name + " arm";
+  stop.unit = "N";
+  stop.measured = servo_.stopped_by();
+  stop.allowed = params_.servo.stop_force;
+  bus_.Publish("ARM_STOP_" + suffix_, stop);
 }
 
 /// What the held part does to the tool, the tool's own weight and inertia, and

@@ -16,7 +16,8 @@
 namespace cell {
 
 /// One arm as the cell's services meet it: ARM_SETPOINT_<ARM> in, every tick
-/// ARM_STATE_<ARM> out and, if it has a sensor, WRENCH_<ARM>. In a real cell a
+/// ARM_STATE_<ARM> out and, if it has a sensor, WRENCH_<ARM>; ARM_STOP_<ARM>
+/// says why it has stopped. In a real cell a
 /// driver of the robot says the same. Simplification: the arm is as stiff as
 /// its servo, nothing pushes it.
 class ArmDevice {
@@ -49,6 +50,7 @@ class ArmDevice {
   std::vector<BodyPose> Bodies() const;
 
  private:
+  void PublishStop();
   bool OnSetpoint(const arm_setpoint_t& message);
   Eigen::Isometry3d FlangePose() const;
   Wrench Reading(const World& world, const Eigen::Isometry3d& X_WF);
@@ -60,6 +62,8 @@ class ArmDevice {
   std::vector<std::string> body_names_;
   ArmServo servo_;
   Gripper gripper_;
+  int num_stopped_ = 0;  // ticks since it has stopped
+  int64_t stop_utime_ = 0;
   double force_ = 0;  // [N] on the tool in the tick before
   /// Of the tool's centre of mass, in the two ticks before: what it is
   /// accelerated by.

@@ -23,15 +23,20 @@ void ArmServo::Command(const Joints& q, bool clear_stop) {
 }
 
 void ArmServo::Stop() {
+  StopAt(params_.stop_force + 1);
+}
+
+void ArmServo::StopAt(double force) {
   if (state_ == State::kStopped) return;
   state_ = State::kStopped;
+  stopped_by_ = force;
   goal_ = q_;
   command_.reset();
   delayed_.clear();
 }
 
 void ArmServo::Update(double dt, double force) {
-  if (force > params_.stop_force) Stop();
+  if (force > params_.stop_force) StopAt(force);
   if (!command_ && state_ == State::kFollowing &&
       ++num_silent_ > params_.patience_ticks) {
     state_ = State::kHolding;

@@ -27,7 +27,8 @@ class ArmServo {
 
   /// A set-point [rad] that has come in this tick.
   void Command(const Joints& q, bool clear_stop);
-  /// Stands still until a set-point clears it.
+  /// As if the force were 1 N too high: stands still until a set-point clears
+  /// it.
   void Stop();
   /// One tick of `dt` [s]; `force` [N] acts on the tool.
   void Update(double dt, double force);
@@ -35,8 +36,11 @@ class ArmServo {
   const Joints& position() const { return q_; }
   const Joints& velocity() const { return v_; }
   State state() const { return state_; }
+  /// [N] that it has stopped at, until the stop is cleared.
+  double stopped_by() const { return stopped_by_; }
 
  private:
+  void StopAt(double force);
   void MoveTowards(double dt);
 
   Params params_;
@@ -47,6 +51,7 @@ class ArmServo {
   std::deque<std::optional<Joints>> delayed_;  // what came in earlier ticks
   int num_silent_ = 0;                         // ticks without a set-point
   State state_ = State::kHolding;
+  double stopped_by_ = 0;
 };
 
 }  // namespace cell

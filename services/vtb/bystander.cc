@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 constexpr double kRetryAfter = 2;     // [s] if nothing can be done now
 constexpr double kFromGripper = 0.3;  // [m] parts nearer to one are left alone
 constexpr double kMinMove = 0.08;     // [m] that a moved part moves at least
-constexpr double kHoldTime = 3;       // [s] a part is kept in the hand
+constexpr int kTriesPerPlace = 20;
+constexpr double kHoldTime = 3;  // [s] a part is kept in the hand
 constexpr uint64_t kOwnChance = 0x5bd1e995;
 
 bool IsAt(const Site& site, const Part& part, const PlacementRule& rule,
@@ -58,7 +59,8 @@ Bystander::Bystander(std::shared_ptr<const DemonstratorBook> book,
                                            book_->manner.table_gap)),
       random_(seed ^ kOwnChance),
       // The right hand comes last in the layout.
-      hand_(world.layout().hands.back().name, book_->manner, world) {
+      hand_(world.layout().hands.back().name, book_->manner, world),
+      reach_(world.table(), world.layout()) {
   const Script::Bystander& does = *script_->bystander;
   const int count = std::uniform_int_distribution<int>(
       does.count.low, does.count.high)(random_);
@@ -85,10 +87,11 @@ void Bystander::Begin(World& world) {
     return;
   }
   if (times_.empty() || time_ < times_.front()) return;
-  if (Disturb(world)) {
-    times_.erase(times_.begin());
-  } else {
+  has_tried_in_vain_ = !Disturb(world);
+  if (has_tried_in_vain_) {
     times_.front() = time_ + kRetryAfter;
+  } else {
+    times_.erase(times_.begin());
   }
 }
 
@@ -184,35 +187,62 @@ std::vector<std::string> Bystander::LooseParts(const World& world) const {
   return loose;
 }
 
-/// The one of the script's places with the most room, or anywhere on the table.
+std::vector<Tabletop::Placed> Bystander::SceneIn(const World& world) const {
+  std::vector<Tabletop::Placed> scene;
+  for (const Part& part : world.table().parts()) {
+    scene.push_back({part.name, world.PoseOf(part.name)});
+  }
+  return scene;
+}
+
+/// One of the script's places, or anywhere on the table: where an arm can take
+/// it, unless the script wants it beyond their reach.
 std::optional<Isometry3d> Bystander::Somewhere(const std::string& part,
                                                const World& world) {
-  const auto& places = script_->bystander->places;
-  if (places.empty()) {
-    std::vector<Tabletop::Placed> scene;
-    for (const Part& other : world.table().parts()) {
-      scene.push_back({other.name, world.PoseOf(other.name)});
-    }
-    return tabletop_->FreePlace(part, scene, kMinMove, random_);
+  if (!script_->bystander->places.empty()) {
+    return AtOneOfThePlaces(part, world);
   }
-  Isometry3d X_WO = Isometry3d::Identity();
-  X_WO.linear() =
-      Eigen::AngleAxisd(std::uniform_real_distribution<double>(
-                            -std::numbers::pi, std::numbers::pi)(random_),
-                        Vector3d::UnitZ())
-          .toRotationMatrix();
+  Tabletop::Accept accept;
+  if (!script_->bystander->beyond_reach) {
+    accept = [&](const auto& scene) {
+      return reach_.CanTake(part, scene);
+    };
+  }
+  return tabletop_->FreePlace(part, SceneIn(world), kMinMove, random_, accept);
+}
+
+/// That with the most room first, turned anyhow; nothing if no arm could take
+/// the part from any.
+std::optional<Isometry3d> Bystander::AtOneOfThePlaces(const std::string& part,
+                                                      const World& world) {
+  auto places = script_->bystander->places;
+  std::vector<Tabletop::Placed> scene = SceneIn(world);
+  std::erase_if(scene, [&](const auto& other) { return other.part == part; });
   const auto room = [&](const Eigen::Vector2d& place) {
     double least = 1;
-    for (const Part& other : world.table().parts()) {
-      if (other.name == part) continue;
-      const Vector3d p = world.PoseOf(other.name).translation();
+    for (const auto& [name, X_WO] : scene) {
+      const Vector3d p = X_WO.translation();
       least = std::min(least, (p.head<2>() - place).norm());
     }
     return least;
   };
-  X_WO.translation() << *std::ranges::max_element(places, {}, room), 0;
-  X_WO.translation().z() = -tabletop_->ExtentOf(part).Lowest(X_WO);
-  return X_WO;
+  std::ranges::stable_sort(places, std::ranges::greater{}, room);
+  std::uniform_real_distribution<double> yaw(-std::numbers::pi,
+                                             std::numbers::pi);
+  for (const Eigen::Vector2d& place : places) {
+    for (int i = 0; i < kTriesPerPlace; ++i) {
+      Isometry3d X_WO = Isometry3d::Identity();
+      X_WO.linear() =
+          Eigen::AngleAxisd(yaw(random_), Vector3d::UnitZ()).toRotationMatrix();
+      X_WO.translation() << place, 0;
+      X_WO.translation().z() = -tabletop_->ExtentOf(part).Lowest(X_WO);
+      if (script_->bystander->beyond_reach) return X_WO;
+      scene.push_back({part, X_WO});
+      if (reach_.CanTake(part, scene)) return X_WO;
+      scene.pop_back();
+    }
+  }
+  return std::nullopt;
 }
 
 /// All that must come before is in place.

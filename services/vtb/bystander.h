@@ -10,6 +10,7 @@
 #include "services/vtb/hand_actor.h"
 #include "services/vtb/script.h"
 #include "services/vtb/tabletop.h"
+#include "services/vtb/within_reach.h"
 #include "services/vtb/world.h"
 
 namespace cell {
@@ -29,8 +30,11 @@ class Bystander {
   void AskFor(const std::string& part, const std::string& site);
 
   bool is_idle() const { return hand_.is_idle(); }
-  /// Nothing that was planned is still to come.
-  bool is_done() const { return is_idle() && times_.empty(); }
+  /// Nothing that was planned is still to come, or the next has been tried and
+  /// cannot be done as things are.
+  bool is_done() const {
+    return is_idle() && (times_.empty() || has_tried_in_vain_);
+  }
 
  private:
   struct Wish {
@@ -38,6 +42,9 @@ class Bystander {
   };
 
   void Begin(World& world);
+  std::vector<Tabletop::Placed> SceneIn(const World& world) const;
+  std::optional<Eigen::Isometry3d> AtOneOfThePlaces(const std::string& part,
+                                                    const World& world);
   bool Disturb(const World& world);
   bool PlaceSomething(const World& world);
   bool Place(const Wish& wish, const World& world);
@@ -51,8 +58,10 @@ class Bystander {
   std::shared_ptr<const Tabletop> tabletop_;
   std::mt19937_64 random_;
   HandActor hand_;
+  WithinReach reach_;
   std::vector<double> times_;  // [s] when it disturbs, ascending
   double time_ = 0;
+  bool has_tried_in_vain_ = false;
   std::optional<Wish> wish_;
 };
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "services/vtb/within_reach.h"
+
 namespace cell {
 namespace {
 
@@ -71,7 +73,14 @@ Demonstrator::Demonstrator(std::shared_ptr<const DemonstratorBook> book,
   tabletop_ = std::make_shared<Tabletop>(world.table(), world.layout(),
                                          book_->manner.table_gap);
   world.Reset();
-  for (const Tabletop::Placed& placed : tabletop_->Scatter(random_)) {
+  Tabletop::Accept accept;
+  if (script_->agent == "robot") {
+    accept = [reach = WithinReach(world.table(), world.layout())](
+                 const auto& scene) {
+      return reach.CanTakeAll(scene);
+    };
+  }
+  for (const auto& placed : tabletop_->Scatter(random_, accept)) {
     world.Place(placed.part, placed.X_WO);
   }
   for (const std::string& name : script_->place) {

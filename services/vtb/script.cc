@@ -97,6 +97,7 @@ Script::Bystander BystanderFromConfig(const Config& config) {
   } else {
     disturbs["how"].Fail("'" + how + "' is none of move, return, place");
   }
+  bystander.beyond_reach = disturbs.GetOr<bool>("beyond_reach", false);
   bystander.count = CountOf(disturbs);
   const std::vector<double> within = disturbs.Numbers("within_s", 2);
   if (!(within[0] >= 0 && within[1] >= within[0])) {

@@ -55,6 +55,8 @@ struct Script {
     double earliest = 0, latest = 0;  ///< [s] in the episode
     /// [m] in the plane of W, where moved parts go; none: anywhere free.
     std::vector<Eigen::Vector2d> places;
+    /// Moved parts may go where no arm can take them; else they never do.
+    bool beyond_reach = false;
   };
   std::optional<Bystander> bystander;
   /// Part types of which one is laid down outside the workspace, at the end.

@@ -56,6 +56,15 @@ void ForEachEdge(const Outline& outline, Visit visit) {
   }
 }
 
+// The scene with a part where it is to lie.
+std::vector<Tabletop::Placed> With(std::vector<Tabletop::Placed> scene,
+                                   const Tabletop::Placed& placed) {
+  std::erase_if(scene,
+                [&](const auto& other) { return other.part == placed.part; });
+  scene.push_back(placed);
+  return scene;
+}
+
 }  // namespace
 
 double DistanceBetween(const Outline& a, const Outline& b) {
@@ -153,7 +162,8 @@ std::optional<Tabletop::Placed> Tabletop::TryPlace(
   return Placed{part, X_WO};
 }
 
-std::vector<Tabletop::Placed> Tabletop::Scatter(std::mt19937_64& random) const {
+std::vector<Tabletop::Placed> Tabletop::Scatter(std::mt19937_64& random,
+                                                const Accept& accept) const {
   constexpr int kAttempts = 1000, kTriesPerPart = 300;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<Placed> scene;
@@ -167,15 +177,18 @@ std::vector<Tabletop::Placed> Tabletop::Scatter(std::mt19937_64& random) const {
       taken.push_back(OutlineAt(*placed));
       scene.push_back(*placed);
     }
-    if (scene.size() == free_parts_.size()) return scene;
+    if (scene.size() < free_parts_.size()) continue;
+    if (!accept || accept(scene)) return scene;
   }
-  throw std::runtime_error("the parts do not fit into the parts area");
+  throw std::runtime_error(
+      "the parts do not fit into the parts area so that they can be taken");
 }
 
 std::optional<Isometry3d> Tabletop::FreePlace(const std::string& part,
                                               const std::vector<Placed>& scene,
                                               double min_way,
-                                              std::mt19937_64& random) const {
+                                              std::mt19937_64& random,
+                                              const Accept& accept) const {
   std::vector<Outline> taken;
   Vector3d here = Vector3d::Zero();
   for (const Placed& placed : scene) {
@@ -189,7 +202,8 @@ std::optional<Isometry3d> Tabletop::FreePlace(const std::string& part,
     const std::optional<Placed> found = TryPlace(part, taken, random);
     if (!found) continue;
     const Vector3d way = found->X_WO.translation() - here;
-    if (way.head<2>().norm() >= min_way) return found->X_WO;
+    if (way.head<2>().norm() < min_way) continue;
+    if (!accept || accept(With(scene, *found))) return found->X_WO;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -38,16 +39,21 @@ class Tabletop {
   };
   Tabletop(const PartTable& table, const CellLayout& layout, double gap);
 
+  /// Whether parts may lie so; an empty one accepts all.
+  using Accept = std::function<bool(const std::vector<Placed>& scene)>;
+
   /// Random poses of all parts that are not fixed.
   /// @throws std::runtime_error if they do not fit in 1000 attempts.
-  std::vector<Placed> Scatter(std::mt19937_64& random) const;
+  std::vector<Placed> Scatter(std::mt19937_64& random,
+                              const Accept& accept = {}) const;
 
   /// A random place for `part` at least the gap away from all others and
   /// `min_way` away from where it is.
   std::optional<Eigen::Isometry3d> FreePlace(const std::string& part,
                                              const std::vector<Placed>& scene,
                                              double min_way,
-                                             std::mt19937_64& random) const;
+                                             std::mt19937_64& random,
+                                             const Accept& accept = {}) const;
 
   const PartExtent& ExtentOf(const std::string& part) const {
     return extents_.at(part);

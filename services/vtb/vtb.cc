@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
+#include "cell/motion_permit_t.hpp"
 #include "cell/truth_action_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
@@ -70,7 +72,8 @@ Vtb::Vtb(Bus& bus, const Params& params)
       steps_per_tick_(StepsPerTick(params.physics.dt)),
       world_(params.parts, params.layout, params.physics),
       book_(std::make_shared<DemonstratorBook>(params.book)),
-      shapes_(ShapesOf(params.parts)) {
+      shapes_(ShapesOf(params.parts)),
+      attendance_(params.operator_patience) {
   for (const ArmLayout& arm : params_.layout.arms) {
     arms_.push_back(
         std::make_unique<ArmDevice>(bus, arm, shapes_, params_.arms));
@@ -85,6 +88,14 @@ Vtb::Vtb(Bus& bus, const Params& params)
       [this](const command_episode_t& m) { return OnCommand(m); });
   bus_.Subscribe<command_fault_t>(
       "COMMAND_FAULT", [this](const command_fault_t& m) { return OnFault(m); });
+  bus_.Subscribe<command_mode_t>(
+      "COMMAND_MODE",
+      [this](const command_mode_t& m) { return OnOperator(m.deadline_utime); });
+  bus_.Subscribe<command_goal_t>(
+      "COMMAND_GOAL",
+      [this](const command_goal_t& m) { return OnOperator(m.deadline_utime); });
+  bus_.Subscribe<operating_mode_t>(
+      "MODE", [this](const operating_mode_t& m) { return OnMode(m); });
   bus_.Every(1, 0, [this] { OnTick(); });
 }
 
@@ -100,10 +111,27 @@ void Vtb::Prepare(const Request& request) {
   }
   robot_state_ = execution_t::RUNNING;
   num_still_ = 0;
+  attendance_.BeginEpisode();
+}
+
+bool Vtb::OnOperator(int64_t deadline_utime) {
+  if (bus_.now() > deadline_utime) return false;
+  attendance_.HearOperator();
+  return true;
+}
+
+bool Vtb::OnMode(const operating_mode_t& message) {
+  if (message.mode < motion_permit_t::IDLE ||
+      message.mode > motion_permit_t::HOLD) {
+    return false;
+  }
+  attendance_.HearMode(message.mode == motion_permit_t::HOLD, message.reason,
+                       bus_.tick());
+  return true;
 }
 
 bool Vtb::OnCommand(const command_episode_t& message) {
-  if (bus_.now() > message.deadline_utime) return false;
+  if (!OnOperator(message.deadline_utime)) return false;
   switch (message.action) {
     case command_episode_t::END:
       next_.reset();
@@ -165,7 +193,23 @@ void Vtb::OnTick() {
   if (is_running_ && bus_.tick() % kRunningPeriod == 0) {
     PublishEpisode(episode_t::RUNNING);
   }
-  if (is_running_ && IsOver()) EndOrGoOn();
+  if (is_running_ && !GiveUpWaiting() && IsOver()) EndOrGoOn();
+}
+
+/// Ends the run if its robot waits for an operator who is not there. Episodes
+/// that were to follow would begin with the same hold.
+bool Vtb::GiveUpWaiting() {
+  if (script_->agent == "person") return false;
+  const auto why = attendance_.WhyInVain(bus_.tick());
+  if (!why) return false;
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = alert_t::ERROR;
+  alert.cause = alert_t::UNATTENDED;
+  alert.text = *why;
+  bus_.Publish("ALERT", alert);
+  End();
+  return true;
 }
 
 bool Vtb::HasAgentFinished() const {
@@ -279,6 +323,10 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   params.physics.friction = config.Number("friction", 0, 2);
   params.physics.grip_time_constant =
       1e-3 * config.Number("grip_time_constant_ms", 2, 200);
+  const double patience = config.Number("operator_patience_s", 1, 86400);
+  if (!deployment.has_operator) {
+    params.operator_patience = static_cast<int32_t>(patience / kTick);
+  }
   params.truth_period_ticks = config.Integer("truth_period_ticks", 1, 1250);
   LoadArms(config["arms"], &params.arms);
   const auto configured = config.Get<std::string>("demonstration");

@@ -7,10 +7,14 @@
 
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
+#include "cell/command_goal_t.hpp"
+#include "cell/command_mode_t.hpp"
 #include "cell/execution_t.hpp"
+#include "cell/operating_mode_t.hpp"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 #include "services/vtb/arm_device.h"
+#include "services/vtb/attendance.h"
 #include "services/vtb/bystander.h"
 #include "services/vtb/deeds.h"
 #include "services/vtb/demonstrator.h"
@@ -37,6 +41,8 @@ class Vtb : public Service {
     DemonstratorBook book;
     PhysicsParams physics;
     ArmDevice::Params arms;
+    /// [ticks] that a hold waits for the operator; nothing: for ever.
+    std::optional<int32_t> operator_patience;
     std::vector<Request> episodes;   ///< the first begins at tick 1
     int32_t truth_period_ticks = 4;  ///< of TRUTH_*
   };
@@ -53,6 +59,8 @@ class Vtb : public Service {
 
   bool OnCommand(const command_episode_t& message);
   bool OnFault(const command_fault_t& message);
+  bool OnOperator(int64_t deadline_utime);
+  bool OnMode(const operating_mode_t& message);
   bool OnExecution(const execution_t& message);
   void OnTick();
   void Prepare(const Request& request);
@@ -61,6 +69,7 @@ class Vtb : public Service {
   void PublishTruth();
   void PublishDeeds();
   void End();
+  bool GiveUpWaiting();
   bool IsOver();
   bool HasAgentFinished() const;
 
@@ -80,6 +89,7 @@ class Vtb : public Service {
   std::optional<Appointment> next_;
   bool is_running_ = false;
   int64_t episode_ = 0;  // counts from 1
+  Attendance attendance_;
   int8_t robot_state_ = execution_t::RUNNING;
   int32_t start_tick_ = 0;  // of the episode
   int32_t num_still_ = 0;   // ticks since all were done

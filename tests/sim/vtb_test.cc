@@ -4,13 +4,18 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cell/alert_t.hpp"
 #include "cell/command_episode_t.hpp"
+#include "cell/command_mode_t.hpp"
 #include "cell/episode_t.hpp"
+#include "cell/motion_permit_t.hpp"
+#include "cell/operating_mode_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
 #include "common/bus/decode.h"
@@ -132,6 +137,74 @@ TEST(Vtb, TwoRunsPublishTheSameBytes) {
   }
   EXPECT_GT(digests[0].size(), 500u);
   EXPECT_EQ(digests[0], digests[1]);
+}
+
+/// Ticks of a run whose cell is held from tick 100 on.
+class HeldRun {
+ public:
+  HeldRun(const std::string& demonstration, bool has_operator)
+      : bench_(demonstration) {
+    while (!bench_.IsOver() && bench_.tick() < 4000) {
+      std::vector<Message> inputs;
+      const int32_t tick = bench_.tick() + 1;
+      if (tick == 50 && has_operator) {
+        command_mode_t command{};
+        command.action = command_mode_t::HOLD;
+        command.deadline_utime = tick * kTickUs;
+        inputs.push_back(MessageAt("COMMAND_MODE", command, tick));
+      }
+      if (tick >= 100 && tick % 62 == 38) {
+        operating_mode_t mode{};
+        mode.mode = motion_permit_t::HOLD;
+        mode.hold = motion_permit_t::AT_ONCE;
+        mode.reason = "an arm has stopped";
+        inputs.push_back(MessageAt("MODE", mode, tick));
+      }
+      Hear(bench_.Tick(std::move(inputs)));
+    }
+  }
+  const std::optional<int32_t>& end() const { return end_; }
+  const std::vector<alert_t>& alerts() const { return alerts_; }
+  int num_episodes() const { return num_episodes_; }
+
+ private:
+  template <class M>
+  static Message MessageAt(const std::string& channel, const M& message,
+                           int32_t tick) {
+    Bytes bytes = Bus::Encode(message);
+    WriteIdentity(tick, 0, tick, bytes);
+    return *MessageFromWire(channel, std::move(bytes));
+  }
+  void Hear(const std::multimap<std::string, Message>& outputs) {
+    for (const auto& [channel, message] : outputs) {
+      if (channel == "ALERT") alerts_.push_back(Decoded<alert_t>(message));
+      if (channel != "EPISODE") continue;
+      const auto episode = Decoded<episode_t>(message);
+      num_episodes_ += episode.phase == episode_t::START;
+      if (episode.phase == episode_t::END) end_ = bench_.tick();
+    }
+  }
+
+  Bench bench_;
+  std::optional<int32_t> end_;
+  std::vector<alert_t> alerts_;
+  int num_episodes_ = 0;
+};
+
+TEST(Vtb, EndsTheRunOfACellThatIsHeldAndHasNoOperator) {
+  const HeldRun run("execution+execution", false);
+  ASSERT_TRUE(run.end().has_value());
+  EXPECT_EQ(*run.end(), 100 + 2500);  // operator_patience_s
+  EXPECT_EQ(run.num_episodes(), 1) << "the next one would be held, too";
+  ASSERT_EQ(run.alerts().size(), 1u);
+  EXPECT_EQ(run.alerts()[0].cause, alert_t::UNATTENDED);
+  EXPECT_NE(run.alerts()[0].text.find("an arm has stopped"), std::string::npos);
+}
+
+TEST(Vtb, WaitsForAnOperatorWhoIsThere) {
+  const HeldRun run("execution", true);
+  EXPECT_FALSE(run.end().has_value());
+  EXPECT_TRUE(run.alerts().empty());
 }
 
 TEST(Vtb, AStartCommandEndsTheEpisodeAndBeginsAnotherAfterAGap) {

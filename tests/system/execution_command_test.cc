@@ -86,5 +86,21 @@ TEST_F(ExecutionCommand, KilledServicesComeBackAsTheyDoInOneProcess) {
   }
 }
 
+TEST_F(ExecutionCommand, AStopThatNobodyClearsEndsTheRunAndSaysWhy) {
+  const fs::path vtb = dir_ / "deploy" / "config" / "vtb.yaml";
+  std::string text = TextOf(vtb);
+  const std::string limit = "stop_force_n: 150";
+  ASSERT_NE(text.find(limit), std::string::npos);
+  text.replace(text.find(limit), limit.size(), "stop_force_n: 12");
+  std::ofstream(vtb) << text;
+  const ShellResult sim =
+      Cell("sim --deploy deploy --demonstration execution --seed 1001 --out a");
+  EXPECT_EQ(sim.code, 1);
+  EXPECT_THAT(sim.output,
+              testing::ContainsRegex(
+                  "why: .*no operator.*right arm.*gripper.* measured "
+                  "[0-9.]+ N, more than the 12[.0]* N allowed"));
+}
+
 }  // namespace
 }  // namespace cell

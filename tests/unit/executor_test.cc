@@ -325,8 +325,8 @@ TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
   EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
   ASSERT_EQ(told_.back().state, Execution::State::kStuck);
   EXPECT_EQ(told_.back().text,
-            "Close(lid) has failed 3 times: the lid is bent; please do it, or "
-            "change what hinders it");
+            "Close(lid) by the right arm has failed 3 times: the lid is bent; "
+            "please do it, or change what hinders it");
   // The person bends it straight, which no predicate says.
   DoneAction moved{0, now_.utime, 0, 0, {Object("lid")}, "moving lid"};
   moved.pick_utime = now_.utime - 1;

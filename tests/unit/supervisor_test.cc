@@ -319,6 +319,31 @@ TEST_F(Supervised, RefusesCommandsAfterTheirDeadlineAndUnknownOnes) {
   EXPECT_EQ(permit().mode, motion_permit_t::IDLE);
 }
 
+TEST_F(Supervised, AProtectiveStopNamesTheLimitAndWhatWasMeasured) {
+  Episode(episode_t::START, "robot");
+  Tick();
+  arm_stop_t stop{};
+  stop.arm = "left";
+  stop.limit = "stop_force_n";
+  stop.where = "the gripper of the left arm";
+  stop.unit = "N";
+  stop.measured = 12.004;
+  stop.allowed = 12;
+  ArmServo(arm_state_t::STOPPED);
+  Give("ARM_STOP_LEFT", stop);
+  Tick();
+  const std::string why =
+      "the gripper of the left arm measured 12.004 N, more than the 12.000 N "
+      "allowed (stop_force_n)";
+  EXPECT_THAT(modes_.back().reason, HasSubstr(why));
+  EXPECT_THAT(alerts_.back().text, HasSubstr(why));
+  const auto num_rejected = NumRejected();
+  stop.measured = 11;  // no reason to stop
+  Give("ARM_STOP_LEFT", stop);
+  Tick();
+  EXPECT_EQ(NumRejected(), num_rejected + 1);
+}
+
 TEST_F(Supervised, AProtectiveStopNeedsThePerson) {
   Episode(episode_t::START, "robot");
   Tick();

@@ -93,7 +93,8 @@ void Report(const std::vector<std::string>& lines, const char* prefix) {
                            lines.size() - kMaxLines);
 }
 
-int ReplayLiveRun(const ReplayOptions& options, const RunFolder& run) {
+int ReplayLiveRun(const ReplayOptions& options, RunFolder run) {
+  run.deployment.has_operator = true;  // as it was recorded
   const LiveLog log = LiveLog::Load(options.run);
   const auto problems = log.Problems(run.roster);
   Report(problems, "log: ");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cell/alert_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
@@ -22,6 +23,11 @@ void AssemblyObserver::Put(const Message& message) {
   } else if (message.channel == "EXECUTION") {
     if (auto execution = Decode<execution_t>(message)) {
       record_.execution = *std::move(execution);
+    }
+  } else if (message.channel == "ALERT") {
+    const auto alert = Decode<alert_t>(message);
+    if (alert && alert->cause == alert_t::UNATTENDED) {
+      record_.unattended = alert->text;
     }
   } else if (message.channel == "TRUTH_ACTIONS") {
     if (const auto action = Decode<truth_action_t>(message)) {

@@ -21,6 +21,7 @@ class AssemblyObserver {
  public:
   struct Record {
     std::optional<execution_t> execution;  ///< the last
+    std::string unattended;                ///< why the run has ended early
     int num_requests = 0;                  ///< of skills
     int num_refused = 0, num_failed = 0, num_stopped = 0, num_yielded = 0;
     double peak_force = 0;  ///< [N] of all skills

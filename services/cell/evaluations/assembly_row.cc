@@ -42,6 +42,10 @@ void AddRecord(const AssemblyObserver::Record& record, json* row) {
   const auto& execution = record.execution;
   (*row)["state"] = execution ? kStates.at(execution->state) : "none";
   (*row)["text"] = execution ? execution->text : "";
+  if (!record.unattended.empty()) {
+    (*row)["state"] = "held";
+    (*row)["text"] = record.unattended;
+  }
   (*row)["requests"] = record.num_requests;
   (*row)["refused"] = record.num_refused;
   (*row)["failed"] = record.num_failed;

@@ -9,6 +9,7 @@
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/arm_state_t.hpp"
+#include "cell/arm_stop_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -57,6 +58,8 @@ const std::map<std::string, ChannelType>& Table() {
       {"ARM_SETPOINT_RIGHT", Of<arm_setpoint_t>()},
       {"ARM_STATE_LEFT", Of<arm_state_t>()},
       {"ARM_STATE_RIGHT", Of<arm_state_t>()},
+      {"ARM_STOP_LEFT", Of<arm_stop_t>()},
+      {"ARM_STOP_RIGHT", Of<arm_stop_t>()},
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},

@@ -192,7 +192,8 @@ std::vector<std::string> Narrator::TellResult(const Message& message) {
       fmt::format("the {} arm {}", result->arm,
                   is_good ? "has done it" : "has not: " + result->reason);
   if (result->peak_force > 0) {
-    what += fmt::format(" (at most {:.0f} N)", result->peak_force);
+    what += fmt::format(" (seating: its wrist sensor felt at most {:.0f} N)",
+                        result->peak_force);
   }
   return {Line(result->header.utime, what)};
 }

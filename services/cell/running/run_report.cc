@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -30,8 +31,24 @@ std::string TellWatched(const EpisodeRecord& record) {
                             : "the goal is not reached");
 }
 
+// The last word of whoever ended the run for want of an operator.
+std::optional<std::string> WhyUnattended(const EpisodeRecord& record) {
+  const auto at =
+      std::ranges::find(record.alerts, alert_t::UNATTENDED, &alert_t::cause);
+  if (at == record.alerts.end()) return std::nullopt;
+  return at->text;
+}
+
+// A person was to do something, and nobody was there.
+bool HasWaitedInVain(const EpisodeRecord& record) {
+  return WhyUnattended(record) ||
+         (record.episode.agent == "robot" && record.execution &&
+          record.execution->state == execution_t::STUCK);
+}
+
 // Why the robot has not done all, from what it said last.
 std::string WhyNot(const EpisodeRecord& record) {
+  if (const auto why = WhyUnattended(record)) return *why;
   if (record.execution && record.execution->state == execution_t::STUCK) {
     return "it asks: " + record.execution->text;
   }
@@ -118,8 +135,14 @@ void RunReport::Say(const std::string& line) {
 int RunReport::Finish() {
   Follow();
   progress_.Clear();
-  const int result = observer_.record().has_ended ? 0 : 1;
+  const auto& records = observer_.records();
+  const bool is_good = records.back().has_ended &&
+                       std::ranges::none_of(records, HasWaitedInVain);
+  const int result = is_good ? 0 : 1;
   if (is_hash_) {
+    for (const EpisodeRecord& record : records) {
+      if (const auto why = WhyUnattended(record)) std::cerr << *why << "\n";
+    }
     for (const std::string& line : digests_.Lines()) std::cout << line << "\n";
     std::cout << std::flush;
     return result;
@@ -129,7 +152,7 @@ int RunReport::Finish() {
   const DemonstratorBook book = DemonstratorBook::FromConfig(
       run_.deployment.OfTask("demonstrators.yaml"), parts);
   int number = 0;
-  for (const EpisodeRecord& record : observer_.records()) {
+  for (const EpisodeRecord& record : records) {
     std::cout << fmt::format("\nepisode {}, {}:\n", ++number,
                              record.episode.demonstration);
     std::cout << (record.episode.agent == "robot"

@@ -23,7 +23,8 @@ class RunReport {
   /// A word from the launcher, between the lines.
   void Say(const std::string& line);
   /// Sums up, draws the end of each episode into the run folder.
-  /// @return 0 if the last episode came to its end.
+  /// @return 0 if the last episode came to its end, and none waited in vain
+  /// for a person.
   int Finish();
 
  private:

@@ -1,0 +1,162 @@
+// What arms report as reachable, what a search from the grasp to the site
+// finds, and where scripts lay parts agree.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <numbers>
+#include <random>
+
+#include "services/robot_arm/arm_planner.h"
+#include "services/vtb/script.h"
+#include "services/vtb/within_reach.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Isometry3d;
+using testing::IsEmpty;
+using testing::SizeIs;
+using Poses = std::map<std::string, Isometry3d>;
+
+// One part of each type, and where it goes.
+const std::map<std::string, std::string> kSites = {
+    {"round_peg_1", "base.round_1"},  {"square_peg_1", "base.square_1"},
+    {"shaft", "base.shaft"},          {"separator", "base.separator"},
+    {"pendulum", "base.pendulum"},    {"head", "pendulum.head"},
+    {"face_plate", "base.face_plate"}};
+
+// Of each part; 1000 take minutes.
+int NumPoses() {
+  const char* text = std::getenv("CELL_REACH_POSES");
+  return text == nullptr ? 8 : std::atoi(text);
+}
+
+class ReachableParts : public testing::TestWithParam<std::string> {
+ protected:
+  // Upright on the table.
+  Isometry3d At(double x, double y, double yaw) const {
+    Isometry3d X_WO(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
+    X_WO.translation() << x, y, 0;
+    X_WO.translation().z() = -shape_.LowestZ(X_WO);
+    return X_WO;
+  }
+  double Between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  double Yaw() { return Between(-std::numbers::pi, std::numbers::pi); }
+  // The cell with nothing else in the way; the head's host stands.
+  Poses With(const Isometry3d& X_WO) const {
+    Poses poses = {{"base", task_.layout.pedestal.X_WP}, {part_, X_WO}};
+    if (part_ == "head") {
+      poses["pendulum"] =
+          poses["base"] * task_.parts.FindSite("base.pendulum")->X_HS;
+    }
+    return poses;
+  }
+  ArmPlanner PlannerOf(const ArmLayout& arm, const Poses& poses) const {
+    ArmPlanner planner({arm.name, task_.layout, task_.parts, settings_});
+    planner.SetParts(poses);
+    for (size_t i = 0; i < poses.size(); ++i) planner.RefreshReachable();
+    return planner;
+  }
+  bool IsReported(const ArmPlanner& planner) const {
+    return std::ranges::count(planner.Reachable(), part_) > 0;
+  }
+  // Why the arm cannot do with the part what it is for, from home to the end of
+  // the way; empty if it can.
+  std::string WhyNot(ArmPlanner& planner, const ArmLayout& arm,
+                     const Poses& poses) const {
+    const Site& site = *task_.parts.FindSite(kSites.at(part_));
+    std::optional<PlaceTarget> target;
+    if (arm.X_FS) target = TargetAt(site, poses.at(site.host));
+    if (target && task_.parts.FindThread(site.type)) {
+      target->turn = -settings_.turning.max_angle;
+    }
+    const auto pick = planner.PlanPick(part_, target, arm.home);
+    if (const auto* why = std::get_if<std::string>(&pick)) return *why;
+    const auto& grasp = std::get<GraspChoice>(pick);
+    const auto way = planner.PlanTransit(arm.home, grasp.q_approach,
+                                         grasp.opening, grasp.grip);
+    if (const auto* why = std::get_if<std::string>(&way)) return *why;
+    planner.SetHeld(
+        HeldPart{part_, grasp.X_OG.inverse(), grasp.grip, grasp.width});
+    if (!target) {
+      const auto free = planner.FindFreePlace(
+          arm.exchange, ArmPlanner::Taker::kOtherArm, grasp.q_approach);
+      if (const auto* why = std::get_if<std::string>(&free)) return *why;
+      target = std::get<PlaceTarget>(free);
+    }
+    const auto place = planner.PlanPlace(*target, grasp.q_approach);
+    if (const auto* why = std::get_if<std::string>(&place)) return *why;
+    return "";
+  }
+  bool IsAnyReported(const Poses& poses) const {
+    return std::ranges::any_of(task_.layout.arms, [&](const ArmLayout& arm) {
+      return IsReported(PlannerOf(arm, poses));
+    });
+  }
+
+  const std::string part_ = GetParam();
+  ShippedTask task_;
+  SkillSettings settings_ = SkillSettings::FromConfig(
+      ShippedDeployment().OfTask("skills.yaml"), task_.parts);
+  PartShape shape_{*task_.parts.Find(part_)};
+  std::mt19937_64 random_{42};
+};
+
+TEST_P(ReachableParts, AreReportedJustWhenThereIsAWayToTheEnd) {
+  for (int i = 0; i < NumPoses(); ++i) {
+    const Poses poses =
+        With(At(Between(-0.43, 0.53), Between(-0.67, -0.13), Yaw()));
+    for (const ArmLayout& arm : task_.layout.arms) {
+      ArmPlanner planner = PlannerOf(arm, poses);
+      const bool is_reported = IsReported(planner);
+      const std::string why = WhyNot(planner, arm, poses);
+      EXPECT_EQ(is_reported, why.empty())
+          << i << ", " << arm.name << " arm, at "
+          << poses.at(part_).translation().transpose() << ": " << why;
+    }
+  }
+}
+
+TEST_P(ReachableParts, AreReportedByAnArmWhereScriptsLayThem) {
+  const auto book = DemonstratorBook::FromConfig(
+      ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
+  const WithinReach reach(task_.parts, task_.layout);
+  const auto& places =
+      book.scripts.at("execution_to_the_left").bystander->places;
+  ASSERT_THAT(places, testing::Not(IsEmpty()));
+  for (const Eigen::Vector2d& place : places) {
+    int num_laid = 0;
+    for (int i = 0; i < NumPoses(); ++i) {
+      const Isometry3d X_WO = At(place.x(), place.y(), Yaw());
+      if (!reach.CanTake(part_, {{part_, X_WO}})) continue;
+      ++num_laid;
+      EXPECT_TRUE(IsAnyReported(With(X_WO))) << place.transpose();
+    }
+    EXPECT_GT(num_laid, 0) << place.transpose();
+  }
+}
+
+TEST_P(ReachableParts, AreReportedByAnArmWhereTheyAreScattered) {
+  const WithinReach reach(task_.parts, task_.layout);
+  const Tabletop tabletop(task_.parts, task_.layout, 0.040);
+  for (int i = 0; i < NumPoses(); ++i) {
+    const auto placed = tabletop.Scatter(
+        random_, [&](const auto& scene) { return reach.CanTakeAll(scene); });
+    ASSERT_THAT(placed, SizeIs(9));
+    const auto at = std::ranges::find(placed, part_, &Tabletop::Placed::part);
+    EXPECT_TRUE(IsAnyReported(With(at->X_WO)))
+        << at->X_WO.translation().transpose();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachType, ReachableParts,
+                         testing::Values("round_peg_1", "square_peg_1", "shaft",
+                                         "separator", "pendulum", "head",
+                                         "face_plate"),
+                         [](const auto& part) { return part.param; });
+
+}  // namespace
+}  // namespace cell
