@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
@@ -159,6 +160,7 @@ void AddLibrary(CLI::App& app, Action* action) {
       "Example: cell library show 3 --database runs/demo-0001",
       Show)
       ->add_option("id", options->id)
+      ->check(NumberIn<int64_t>(0))
       ->required();
   add("export",
       "Write all actions as JSON.\n"

@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/node/number_option.h"
+
 namespace cell {
 namespace {
 
@@ -37,7 +39,7 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
   command
       .add_option("--deadline", options->deadline_s,
                   "not executed later than so many seconds of the cell's time")
-      ->check(CLI::Range(0., 3600.))
+      ->check(NumberIn(0., 3600.))
       ->capture_default_str();
 }
 
