@@ -5,8 +5,10 @@
 #include <iostream>
 #include <memory>
 
+#include "common/node/cell_files.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/service_units.h"
+#include "services/cell/running/task_check.h"
 
 namespace cell {
 namespace {
@@ -43,6 +45,7 @@ int PrintStatus(const ServiceManager& manager) {
 }
 
 int Up(const ServiceManager& manager) {
+  CheckTask(FindCellFiles(""), "");
   manager.Start();
   return PrintStatus(manager);
 }

@@ -13,6 +13,7 @@
 #include "services/cell/doctor/packages.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/spy_command.h"
+#include "services/cell/running/task_check.h"
 
 namespace cell {
 namespace {
@@ -53,6 +54,7 @@ Diagnosis CheckConfiguration(const Machine&, const Site& site) {
     return Diagnosis::Ok("(see roster)");
   }
   try {
+    CheckTask(files, "");
     SimBus bus(files.roster, AllServices(files.deployment, "", 1));
     bus.Step();
     return Diagnosis::Ok("every service can be built from it");
