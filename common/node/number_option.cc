@@ -16,8 +16,9 @@ template <class T>
 std::string RangeText(T low, T high) {
   const bool has_low = low > std::numeric_limits<T>::lowest();
   const bool has_high = high < std::numeric_limits<T>::max();
-  if (has_high) return fmt::format(" from {} to {}", low, high);
-  if (has_low || std::is_unsigned_v<T>) return fmt::format(", {} or more", low);
+  if (has_high || std::is_integral_v<T>)
+    return fmt::format(" from {} to {}", low, high);
+  if (has_low) return fmt::format(", {} or more", low);
   return "";
 }
 

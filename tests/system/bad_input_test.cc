@@ -97,6 +97,31 @@ TEST_F(RunCell, AnAddressIsDecimalAndOfMulticast) {
   }
 }
 
+TEST_F(RunCell, RecordedFramesFromElsewhereAreKeptInTheRun) {
+  fs::copy(fs::path(CELL_SOURCE_DIR) / "deploy", dir_ / "deploy",
+           fs::copy_options::recursive);
+  const fs::path file = dir_ / "deploy/config/camera_set.yaml";
+  const std::string edit =
+      "sed -i 's|^device: .*|device: recorded|; s|folder: "
+      ".*|folder: " +
+      (dir_ / "frames").string() + "|' " + file.string();
+  ASSERT_EQ(Shell(edit).code, 0);
+  const std::string prepare = "prepare --deploy deploy --state-dir state";
+  const ShellResult refused = Cell(prepare);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.output,
+              AllOf(HasSubstr("camera_set.yaml:recorded.folder: there is no"),
+                    HasSubstr("(line ")));
+
+  fs::create_directories(dir_ / "frames/1");
+  std::ofstream(dir_ / "frames/1/camera.yaml") << "fx: 1\n";
+  ASSERT_EQ(Cell(prepare).code, 0);
+  const fs::path run = dir_ / "state/runs/current/deploy";
+  EXPECT_EQ(TextOf(run / "tasks/cranfield/recorded/1/camera.yaml"), "fx: 1\n");
+  EXPECT_THAT(TextOf(run / "config/camera_set.yaml"),
+              HasSubstr("folder: recorded\n"));
+}
+
 /// A fault in a file of the deployment: sed, and what is said.
 struct Mistake {
   const char* name;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/bus/sim_bus.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
@@ -192,6 +193,7 @@ void CheckTask(const CellFiles& files, const std::string& demonstration) {
   CheckDemonstrators(book_config, book, domain, layout);
   CheckDemonstration(book, demonstration);
   CheckRoster(deployment.ForService("roster"), files);
+  const SimBus all(files.roster, AllServices(deployment, demonstration, 1));
 }
 
 }  // namespace cell

@@ -9,7 +9,8 @@ namespace cell {
 /// Reads the files of a task - parts, domain, cell, demonstrators, skills - and
 /// the roster, and holds them against each other: every name that one takes
 /// from another must be there, every action must be possible for each of its
-/// agents, every grip must be one of a hand. `demonstration` names scripts
+/// agents, every grip must be one of a hand, and
+/// every service can be built from its own. `demonstration` names scripts
 /// ("a+b"), empty the configured ones. Every command that starts a cell calls
 /// it first.
 /// @throws ConfigError "file:key: message (line N)", std::invalid_argument for
