@@ -22,7 +22,7 @@
 #include "services/cell/running/run_options.h"
 #include "services/cell/running/run_report.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct DemoOptions {
@@ -226,4 +226,4 @@ void AddDemo(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -14,7 +14,7 @@
 #include "services/cell/doctor/software_checks.h"
 #include "services/cell/doctor/system_checks.h"
 
-namespace cell {
+namespace cell::cli {
 
 namespace fs = std::filesystem;
 
@@ -111,4 +111,4 @@ void AddDoctor(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -9,7 +9,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/operator_port.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct EpisodeOptions {
@@ -58,4 +58,4 @@ void AddEpisode(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

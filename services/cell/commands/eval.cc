@@ -14,7 +14,7 @@
 #include "services/cell/running/progress.h"
 #include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -203,4 +203,4 @@ void AddEval(CLI::App& app, Action* action) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

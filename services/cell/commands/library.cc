@@ -17,7 +17,7 @@
 #include "services/library/record_check.h"
 #include "services/library/sqlite_action_store.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct LibraryOptions {
@@ -179,4 +179,4 @@ void AddLibrary(CLI::App& app, Action* action) {
                      "folder with config/ and tasks/");
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -16,7 +16,7 @@
 #include "services/cell/running/run_folder.h"
 #include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // [s since 1970] Its microseconds fit into a utime.
@@ -98,4 +98,4 @@ void AddPrepare(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

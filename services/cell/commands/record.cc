@@ -21,7 +21,7 @@
 #include "services/cell/running/traffic.h"
 #include "services/recorder/rotating_log.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,4 +130,4 @@ void AddRecord(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

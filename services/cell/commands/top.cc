@@ -16,7 +16,7 @@
 #include "services/cell/running/progress.h"
 #include "services/cell/running/traffic.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct TopOptions {
@@ -109,4 +109,4 @@ void AddTop(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

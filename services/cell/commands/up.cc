@@ -10,7 +10,7 @@
 #include "services/cell/running/service_units.h"
 #include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 /// "tracker" of "cell-tracker.service".
@@ -92,4 +92,4 @@ void AddStatus(CLI::App& app, Action* action) {
                     PrintStatus);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

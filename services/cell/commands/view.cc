@@ -17,7 +17,7 @@
 #include "services/cell/pictures/scene_picture.h"
 #include "services/cell/running/run_folder.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct ViewOptions {
@@ -134,4 +134,4 @@ void AddView(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -15,7 +15,7 @@
 #include "services/cell/running/spy_command.h"
 #include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ std::vector<Check> SoftwareChecks() {
           {"lcm-spy", CheckSpy}};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -9,7 +9,7 @@
 #include "common/bus/decode.h"
 #include "services/cell/evaluations/episode_observer.h"
 
-namespace cell {
+namespace cell::cli {
 
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
@@ -65,4 +65,4 @@ std::optional<AssemblyScore> AssemblyObserver::Score() const {
   return ScoreAssembly(looks_.earlier(), looks_.last(), parts_, book_);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -11,7 +11,7 @@
 #include "common/parts/part_table.h"
 #include "services/cell/motion/arm_activity.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Which bodies of arms, hands and held parts touch what they must not: any
 /// contact but the grasp and the intended insertion. Persons' hands do not
@@ -64,4 +64,4 @@ class CollisionCheck {
   std::vector<Touch> touches_;  // of this look
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -9,7 +9,7 @@
 #include "common/arms/ur5.h"
 #include "common/bus/bus.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Kind = Violation::Kind;
@@ -86,4 +86,4 @@ void LimitCheck::Restart() {
   is_stopped_ = false;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 
 #include "common/node/number_option.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // The cell's time now, from what is said in every tick: TICK in lockstep,
@@ -48,4 +48,4 @@ OperatorPort::OperatorPort(const OperatorOptions& options)
       utime_(AwaitTick(options.address.Get().MainUrl())),
       deadline_utime_(utime_ + std::llround(options.deadline_s * 1e6)) {}
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ RunFolder RunFolder::Open(const std::string& path) {
   return run;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include "common/node/number_option.h"
 #include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 
 void RunOptions::AddTo(CLI::App& command) {
   command.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
@@ -41,4 +41,4 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   return run;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

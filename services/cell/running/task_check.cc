@@ -20,7 +20,7 @@
 #include "services/robot_arm/skill_settings.h"
 #include "services/vtb/script.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -196,4 +196,4 @@ void CheckTask(const CellFiles& files, const std::string& demonstration) {
   const SimBus all(files.roster, AllServices(deployment, demonstration, 1));
 }
 
-}  // namespace cell
+}  // namespace cell::cli

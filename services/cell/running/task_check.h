@@ -4,7 +4,7 @@
 
 #include "common/node/cell_files.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Reads the files of a task - parts, domain, cell, demonstrators, skills - and
 /// the roster, and holds them against each other: every name that one takes
@@ -17,4 +17,4 @@ namespace cell {
 /// a demonstration that no script has.
 void CheckTask(const CellFiles& files, const std::string& demonstration);
 
-}  // namespace cell
+}  // namespace cell::cli
