@@ -1,7 +1,9 @@
 #include "common/bus/lcm_port.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <netinet/in.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 
 #include "common/bus/bus_error.h"
 #include "common/bus/channel_filter.h"
+#include "common/config/decimal.h"
 
 namespace cell {
 namespace {
@@ -24,6 +27,12 @@ namespace {
 std::recursive_mutex& OpeningSocket() {
   static std::recursive_mutex mutex;
   return mutex;
+}
+
+bool IsMulticast(const std::string& group) {
+  in_addr address{};
+  return inet_pton(AF_INET, group.c_str(), &address) == 1 &&
+         IN_MULTICAST(ntohl(address.s_addr));
 }
 
 }  // namespace
@@ -39,13 +48,24 @@ LcmAddress LcmAddress::Parse(const std::string& url) {
                                 "udpm://239.255.76.67:7667[?ttl=0]");
   }
   address.group = match[1];
-  address.port = std::stoi(match[2]);
-  if (match[4].matched) address.ttl = std::stoi(match[4]);
-  if (address.port < 1024 || address.port > 65534) {
+  if (!IsMulticast(address.group)) {
+    throw std::invalid_argument("'" + url +
+                                "': the group must be an address of multicast, "
+                                "224.0.0.0 to 239.255.255.255");
+  }
+  const auto port = ParseDecimal<int>(match[2].str()).value;
+  if (!port || *port < 1024 || *port > 65534) {
     throw std::invalid_argument("'" + url +
                                 "': the port and the next one must lie in "
                                 "[1024, 65535]");
   }
+  address.port = *port;
+  if (!match[4].matched) return address;
+  const auto ttl = ParseDecimal<int>(match[4].str()).value;
+  if (!ttl || *ttl > 255) {
+    throw std::invalid_argument("'" + url + "': ttl must lie in [0, 255]");
+  }
+  address.ttl = *ttl;
   return address;
 }
 

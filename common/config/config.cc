@@ -2,50 +2,73 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace cell {
 
-Config::Config(YAML::Node node, std::string path,
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 16 << 20;  // more is no configuration
+
+/// From 1; of nodes that no text has, `otherwise`.
+int LineOf(const YAML::Node& node, int otherwise) {
+  const int line = node.Mark().line;
+  return line < 0 ? otherwise : line + 1;
+}
+
+std::string TextOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ConfigError(path + ": cannot be opened");
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw ConfigError(path + ": is not a file");
+  if (size > kMaxBytes) {
+    throw ConfigError(fmt::format("{}: has {} bytes; more than {} are not read",
+                                  path, size, kMaxBytes));
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad()) throw ConfigError(path + ": cannot be read");
+  return text.str();
+}
+
+}  // namespace
+
+Config::Config(YAML::Node node, std::string path, int line,
                std::shared_ptr<Shared> shared)
     : node_(std::move(node)),
       path_(std::move(path)),
+      line_(line),
       shared_(std::move(shared)) {}
 
 Config Config::Load(const std::string& path) {
-  auto shared = std::make_shared<Shared>();
-  shared->file = path;
-  try {
-    return Config(YAML::LoadFile(path), "", shared);
-  } catch (const YAML::BadFile&) {
-    throw ConfigError(path + ": cannot be opened");
-  } catch (const YAML::Exception& e) {
-    throw ConfigError(
-        fmt::format("{}:{}: not YAML: {}", path, e.mark.line + 1, e.msg));
-  }
+  return Parse(TextOf(path), path);
 }
 
-Config Config::Parse(const std::string& text, const std::string& name) {
+Config Config::Parse(const std::string& text, const std::string& name,
+                     bool has_lines) {
   auto shared = std::make_shared<Shared>();
   shared->file = name;
-  try {
-    return Config(YAML::Load(text), "", shared);
-  } catch (const YAML::Exception& e) {
-    throw ConfigError(
-        fmt::format("{}:{}: not YAML: {}", name, e.mark.line + 1, e.msg));
-  }
+  shared->has_lines = has_lines;
+  return Config(LoadStrictYaml(text, name), "", 0, shared);
 }
 
 Config Config::operator[](const std::string& key) const {
   MarkUsed();
-  const std::string path = path_.empty() ? key : path_ + "." + key;
   if (!node_.IsMap()) Fail("should be a map with the key '" + key + "'");
-  const YAML::Node child = node_[key];
-  Config config(child.IsDefined() ? child : YAML::Node(), path, shared_);
-  if (!child.IsDefined()) config.Fail("missing");
-  config.MarkUsed();
-  return config;
+  for (const auto& entry : node_) {
+    if (entry.first.Scalar() != key) continue;
+    const Config config(entry.second, PathOf(key), LineOf(entry.first, line_),
+                        shared_);
+    config.MarkUsed();
+    return config;
+  }
+  FailAt(PathOf(key), LineOf(node_, line_), "missing");
 }
 
 bool Config::Has(const std::string& key) const {
@@ -57,7 +80,8 @@ std::vector<Config> Config::Items() const {
   if (!node_.IsSequence()) Fail("should be a list");
   std::vector<Config> items;
   for (size_t i = 0; i < node_.size(); ++i) {
-    items.push_back(Config(node_[i], fmt::format("{}[{}]", path_, i), shared_));
+    items.push_back(Config(node_[i], fmt::format("{}[{}]", path_, i),
+                           LineOf(node_[i], line_), shared_));
     items.back().MarkUsed();
   }
   return items;
@@ -68,7 +92,7 @@ std::vector<std::pair<std::string, Config>> Config::Entries() const {
   if (!node_.IsMap()) Fail("should be a map");
   std::vector<std::pair<std::string, Config>> entries;
   for (const auto& entry : node_) {
-    const auto key = entry.first.as<std::string>();
+    const std::string& key = entry.first.Scalar();
     entries.emplace_back(key, (*this)[key]);
   }
   return entries;
@@ -80,12 +104,9 @@ std::vector<Config> Config::ItemsOf(const std::string& key) const {
 
 std::vector<double> Config::Numbers(const std::string& key, size_t size) const {
   const Config config = (*this)[key];
-  auto numbers = config.As<std::vector<double>>();
+  const auto numbers = config.As<std::vector<double>>();
   if (numbers.size() != size) {
     config.Fail(fmt::format("needs {} numbers, has {}", size, numbers.size()));
-  }
-  for (const double number : numbers) {
-    if (!std::isfinite(number)) config.Fail("has a number that is not finite");
   }
   return numbers;
 }
@@ -109,37 +130,53 @@ int Config::Integer(const std::string& key, int low, int high) const {
 }
 
 void Config::Finish() const {
-  FinishNode(node_, path_);
+  FinishNode(node_, path_, line_);
 }
 
-void Config::FinishNode(const YAML::Node& node, const std::string& path) const {
+void Config::FinishNode(const YAML::Node& node, const std::string& path,
+                        int line) const {
   if (!path.empty() && !shared_->used.contains(path)) {
-    throw ConfigError(shared_->file + ":" + path +
-                      ": not known; remove it or mend its spelling");
+    FailAt(path, line, "not known; remove it or mend its spelling");
   }
   if (node.IsMap()) {
     for (const auto& entry : node) {
-      const auto key = entry.first.as<std::string>();
-      FinishNode(entry.second, path.empty() ? key : path + "." + key);
+      const std::string& key = entry.first.Scalar();
+      FinishNode(entry.second, path.empty() ? key : path + "." + key,
+                 LineOf(entry.first, line));
     }
   } else if (node.IsSequence()) {
     // A list of numbers, or of such lists, is read as a whole.
     for (size_t i = 0; i < node.size(); ++i) {
       const std::string item = fmt::format("{}[{}]", path, i);
       if (node[i].IsMap() || shared_->used.contains(item)) {
-        FinishNode(node[i], item);
+        FinishNode(node[i], item, LineOf(node[i], line));
       }
     }
   }
 }
 
 void Config::Fail(const std::string& message) const {
-  throw ConfigError(shared_->file + ":" + path_ + ": " + message);
+  FailAt(path_, line_, message);
+}
+
+void Config::FailAt(const std::string& path, int line,
+                    const std::string& message) const {
+  throw ConfigError(ConfigMessage(shared_->file, path,
+                                  shared_->has_lines ? line : 0, message));
 }
 
 std::string Config::Text() const {
   MarkUsed();
   return YAML::Dump(node_);
+}
+
+void Config::PassOver() const {
+  MarkUsed();
+  if (node_.IsMap()) {
+    for (const auto& [key, entry] : Entries()) entry.PassOver();
+  } else if (node_.IsSequence()) {
+    for (const Config& item : Items()) item.PassOver();
+  }
 }
 
 const std::string& Config::file() const {
@@ -150,8 +187,50 @@ void Config::MarkUsed() const {
   shared_->used.insert(path_);
 }
 
-std::string Config::Shown() const {
-  return node_.IsScalar() ? ": '" + node_.Scalar() + "'" : "";
+std::string Config::PathOf(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+const std::string& Config::Scalar(const char* what) const {
+  MarkUsed();
+  if (node_.IsNull()) Fail(fmt::format("is empty, should be {}", what));
+  if (!node_.IsScalar()) Fail(fmt::format("cannot be read as {}", what));
+  return node_.Scalar();
+}
+
+template <class T>
+void Config::ReadNumber(const char* what, T* value) const {
+  const std::string& text = Scalar(what);
+  const Decimal<T> number = ParseDecimal<T>(text);
+  if (!number.value) {
+    Fail(fmt::format("cannot be read as {}: '{}' {}", what, text, number.why));
+  }
+  *value = *number.value;
+}
+
+void Config::Read(int* value) const {
+  ReadNumber("a whole number", value);
+}
+
+void Config::Read(uint64_t* value) const {
+  ReadNumber("a whole number", value);
+}
+
+void Config::Read(double* value) const {
+  ReadNumber("a number", value);
+}
+
+void Config::Read(bool* value) const {
+  constexpr char kWhat[] = "true or false";
+  const std::string& text = Scalar(kWhat);
+  if (text != "true" && text != "false") {
+    Fail(fmt::format("cannot be read as {}: '{}'", kWhat, text));
+  }
+  *value = text == "true";
+}
+
+void Config::Read(std::string* value) const {
+  *value = Scalar("text");
 }
 
 }  // namespace cell

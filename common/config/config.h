@@ -2,30 +2,30 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cmath>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "common/config/decimal.h"
+#include "common/config/strict_yaml.h"
 
 namespace cell {
 
-/// A configuration that cannot be used; what() begins with file:key.
-class ConfigError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// One node of a YAML file, read strictly: a missing key and a value of the
-/// wrong type throw at once, keys that nobody read throw in Finish(). Every
-/// error names file and key, e.g. "tracker.yaml:period_ticks: missing".
+/// One node of a YAML file, read strictly (LoadStrictYaml): a missing key and a
+/// value of the wrong type throw at once, keys that nobody read throw in
+/// Finish(). Numbers are decimal (ParseDecimal), booleans true or false. Every
+/// error names file, key and line, e.g.
+/// "tracker.yaml:period_ticks: missing (line 3)".
 class Config {
  public:
   /// @throws ConfigError if the file cannot be read or is not YAML.
   static Config Load(const std::string& path);
-  /// `name` stands for the file in errors.
-  static Config Parse(const std::string& text, const std::string& name);
+  /// `name` stands for the file in errors. `has_lines`: false for a text that
+  /// nobody has written, whose lines mean nothing.
+  static Config Parse(const std::string& text, const std::string& name,
+                      bool has_lines = true);
 
   /// The map entry `key`. @throws ConfigError if missing or not a map.
   Config operator[](const std::string& key) const;
@@ -37,20 +37,12 @@ class Config {
   /// Items() of `key`, none if it is missing.
   std::vector<Config> ItemsOf(const std::string& key) const;
 
+  /// Of a number, bool, string, or a list of them.
   template <class T>
   T As() const {
-    MarkUsed();
-    // yaml-cpp reads an empty value as the text "null".
-    if (node_.IsNull()) Fail("is empty, should be " + TypeName<T>());
-    try {
-      T value = node_.as<T>();
-      if constexpr (std::is_floating_point_v<T>) {
-        if (!std::isfinite(value)) Fail("is not a finite number" + Shown());
-      }
-      return value;
-    } catch (const YAML::Exception&) {
-      Fail("cannot be read as " + TypeName<T>() + Shown());
-    }
+    T value{};
+    Read(&value);
+    return value;
   }
   template <class T>
   T Get(const std::string& key) const {
@@ -70,10 +62,12 @@ class Config {
   /// never read: misspelt or not known.
   void Finish() const;
 
-  /// @throws ConfigError "file:key: message".
+  /// @throws ConfigError "file:key: message (line 3)".
   [[noreturn]] void Fail(const std::string& message) const;
   /// The node as YAML that stands for itself.
   std::string Text() const;
+  /// Marks all that stands below as read.
+  void PassOver() const;
   const std::string& path() const { return path_; }
   const std::string& file() const;
 
@@ -81,22 +75,34 @@ class Config {
   struct Shared {
     std::string file;
     std::set<std::string> used;
+    bool has_lines = true;
   };
-  Config(YAML::Node node, std::string path, std::shared_ptr<Shared> shared);
+  Config(YAML::Node node, std::string path, int line,
+         std::shared_ptr<Shared> shared);
   void MarkUsed() const;
-  void FinishNode(const YAML::Node& node, const std::string& path) const;
-  std::string Shown() const;
+  void FinishNode(const YAML::Node& node, const std::string& path,
+                  int line) const;
+  [[noreturn]] void FailAt(const std::string& path, int line,
+                           const std::string& message) const;
+  std::string PathOf(const std::string& key) const;
+
+  /// The text of a value that should be `what`.
+  const std::string& Scalar(const char* what) const;
   template <class T>
-  static std::string TypeName() {
-    if constexpr (std::is_same_v<T, bool>) return "true or false";
-    if constexpr (std::is_integral_v<T>) return "a whole number";
-    if constexpr (std::is_floating_point_v<T>) return "a number";
-    if constexpr (std::is_same_v<T, std::string>) return "text";
-    return "the list it should be";
+  void ReadNumber(const char* what, T* value) const;
+  void Read(bool* value) const;
+  void Read(int* value) const;
+  void Read(uint64_t* value) const;
+  void Read(double* value) const;
+  void Read(std::string* value) const;
+  template <class T>
+  void Read(std::vector<T>* values) const {
+    for (const Config& item : Items()) values->push_back(item.As<T>());
   }
 
   YAML::Node node_;
   std::string path_;
+  int line_;  // from 1; 0: none
   std::shared_ptr<Shared> shared_;
 };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <lodepng.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,10 +30,20 @@ struct Png {
   FileBytes file;
 };
 
+/// True if nothing follows the last chunk; lodepng would not look.
+bool EndsAsPng(const FileBytes& file) {
+  constexpr std::array<unsigned char, 12> kEnd = {
+      0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  return file.size() >= kEnd.size() &&
+         std::equal(kEnd.begin(), kEnd.end(), file.end() - kEnd.size());
+}
+
 /// The file, as far as its header tells.
 Png Inspect(const std::filesystem::path& path) {
   Png png;
   RequireNoError(lodepng::load_file(png.file, path.string()), path);
+  Require(EndsAsPng(png.file), path,
+          "is cut off, or has bytes behind its end: it should end with IEND");
   unsigned width = 0;
   unsigned height = 0;
   lodepng::State state;
@@ -60,10 +72,16 @@ FileBytes Decode(const Png& png, const std::filesystem::path& path,
 
 void Write(const std::filesystem::path& path, const FileBytes& bytes, int width,
            int height, LodePNGColorType type, unsigned bits) {
-  RequireNoError(
-      lodepng::encode(path.string(), bytes, static_cast<unsigned>(width),
-                      static_cast<unsigned>(height), type, bits),
-      path);
+  lodepng::State state;
+  state.info_raw.colortype = state.info_png.color.colortype = type;
+  state.info_raw.bitdepth = state.info_png.color.bitdepth = bits;
+  // It would write fewer bits where they are enough: no depth picture any more.
+  state.encoder.auto_convert = 0;
+  FileBytes file;
+  RequireNoError(lodepng::encode(file, bytes, static_cast<unsigned>(width),
+                                 static_cast<unsigned>(height), state),
+                 path);
+  RequireNoError(lodepng::save_file(file, path.string()), path);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "common/bus/lcm_clock.h"
 #include "common/bus/lcm_live.h"
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "common/node/service_arguments.h"
 #include "common/node/service_manager.h"
@@ -43,12 +44,15 @@ int RunClock(const std::string& name, int argc, char** argv,
   std::string pace = "fast";
   double giveup_s = 0;
   app.add_option("--demonstration", demonstration, "script of the task");
-  app.add_option("--seed", seed)->capture_default_str();
+  app.add_option("--seed", seed)
+      ->check(NumberIn<uint64_t>())
+      ->capture_default_str();
   app.add_option("--pace", pace, "as fast as the machine allows, or realtime")
       ->check(CLI::IsMember({"fast", "realtime"}))
       ->capture_default_str();
   app.add_option("--giveup", giveup_s,
-                 "end when a service is silent so long [s]; 0: wait for ever");
+                 "end when a service is silent so long [s]; 0: wait for ever")
+      ->check(NumberIn(0., 86400.));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,5 +1,6 @@
 #include "common/parts/part_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -80,6 +81,9 @@ Part PartFromConfig(const Config& config, const std::string& name) {
   part.type = config.Get<std::string>("type");
   for (const Config& fit : config.ItemsOf("fits")) {
     part.fits.push_back(fit.As<std::string>());
+    if (std::count(part.fits.begin(), part.fits.end(), part.fits.back()) > 1) {
+      fit.Fail("'" + part.fits.back() + "' is named twice");
+    }
   }
   part.symmetry_order = config.Integer("symmetry_order", 0, 360);
   part.is_fixed = config.GetOr("fixed", false);
@@ -167,8 +171,13 @@ PartTable PartTable::FromConfig(const Config& config) {
     }
     table.parts_.push_back(PartFromConfig(entry, name));
   }
+  if (table.parts_.empty()) config["parts"].Fail("names no part");
   for (const Config& thread : config.ItemsOf("threads")) {
-    table.threads_.push_back(ThreadFromConfig(thread));
+    const Thread next = ThreadFromConfig(thread);
+    if (table.FindThread(next.site_type) != nullptr) {
+      thread["site_type"].Fail("'" + next.site_type + "' has a thread already");
+    }
+    table.threads_.push_back(next);
   }
   CheckReferences(config, table);
   config.Finish();

@@ -5,16 +5,6 @@
 namespace cell {
 namespace {
 
-/// Marks all that stands below as used.
-void PassOver(const Config& config) {
-  const auto node = config.As<YAML::Node>();
-  if (node.IsMap()) {
-    for (const auto& [key, entry] : config.Entries()) PassOver(entry);
-  } else if (node.IsSequence()) {
-    for (const Config& item : config.Items()) PassOver(item);
-  }
-}
-
 /// False if no rule can ever apply to the arguments.
 bool IsPossible(const Action& action, const Binding& arguments,
                 const Vocabulary& vocabulary, Agent agent) {
@@ -59,13 +49,13 @@ void AddGroundActions(const Domain& domain, int action, Agent agent,
 
 void Domain::PassOverGeometry() const {
   for (const Predicate& predicate : vocabulary_.predicates()) {
-    if (predicate.geometry) PassOver(*predicate.geometry);
+    if (predicate.geometry) predicate.geometry->PassOver();
   }
 }
 
 void Domain::PassOverSec() const {
   for (const Action& action : actions_) {
-    if (action.sec) PassOver(*action.sec);
+    if (action.sec) action.sec->PassOver();
   }
 }
 

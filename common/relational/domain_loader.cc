@@ -138,7 +138,14 @@ std::vector<Agent> LoadAgents(const Config& action) {
     if (name != "person" && name != "robot") {
       item.Fail("'" + name + "' is neither person nor robot");
     }
-    agents.push_back(name == "person" ? Agent::kPerson : Agent::kRobot);
+    const Agent agent = name == "person" ? Agent::kPerson : Agent::kRobot;
+    if (std::count(agents.begin(), agents.end(), agent) > 0) {
+      item.Fail("'" + name + "' is named twice");
+    }
+    agents.push_back(agent);
+  }
+  if (agents.empty()) {
+    action["agents"].Fail("nobody can do it; name person, robot, or both");
   }
   return agents;
 }
@@ -164,8 +171,21 @@ std::vector<Addition> LoadAdditions(const Config& action,
   return additions;
 }
 
-NdrRule WithAddition(NdrRule rule, const Addition& addition) {
+/// @throws ConfigError if what a rule does is undone by what is added.
+NdrRule WithAddition(NdrRule rule, const Addition& addition,
+                     const Config& config) {
   rule.agents = {Agent::kRobot};
+  for (const Outcome& outcome : rule.outcomes) {
+    for (const Effect& effect : outcome.effects) {
+      for (const Literal& added : addition.effect.then) {
+        if (effect.each.empty() &&
+            std::any_of(effect.then.begin(), effect.then.end(),
+                        [&](const auto& l) { return Contradict(l, added); })) {
+          config.Fail("an effect says the opposite of one of the rules'");
+        }
+      }
+    }
+  }
   rule.context.insert(rule.context.end(), addition.context.begin(),
                       addition.context.end());
   for (Outcome& outcome : rule.outcomes) {
@@ -186,7 +206,7 @@ void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
   std::vector<NdrRule> rules;
   for (NdrRule& rule : action.rules) {
     for (const Addition& addition : additions) {
-      rules.push_back(WithAddition(rule, addition));
+      rules.push_back(WithAddition(rule, addition, config["robot"]));
     }
     std::erase(rule.agents, Agent::kRobot);
   }
@@ -246,10 +266,14 @@ Domain Domain::FromConfig(const Config& config, const PartTable& parts) {
     const Config& node = actions[i].second;
     if (!node.Has("undoes")) continue;
     Action& action = domain.actions_[i];
+    if (node["undoes"].As<std::string>() == action.name) {
+      node["undoes"].Fail("an action cannot undo itself");
+    }
     action.undoes = FindUndone(node["undoes"], action, domain.actions_);
   }
   for (const auto& [name, node] : config["goals"].Entries()) {
     Goal goal{name, ParseLiterals(node, domain.vocabulary_, {})};
+    if (goal.literals.empty()) node.Fail("wants nothing");
     for (const Literal& literal : goal.literals) {
       if (literal.is_static) node.Fail("a static fact is no goal");
     }

@@ -170,12 +170,36 @@ Literal ParseLiteral(const Config& config, const Vocabulary& vocabulary,
   return literal;
 }
 
+bool Contradict(const Literal& a, const Literal& b) {
+  if (a.is_negated == b.is_negated || a.is_static != b.is_static ||
+      a.relation != b.relation) {
+    return false;
+  }
+  const Literal& negated = a.is_negated ? a : b;
+  const Literal& other = a.is_negated ? b : a;
+  for (size_t i = 0; i < negated.terms.size(); ++i) {
+    // `_` of the negated one: no object at all.
+    if (negated.terms[i].kind != Term::Kind::kAny &&
+        negated.terms[i] != other.terms[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::vector<Literal> ParseLiterals(const Config& config,
                                    const Vocabulary& vocabulary,
                                    std::span<const Variable> variables) {
   std::vector<Literal> literals;
   for (const Config& item : config.Items()) {
-    literals.push_back(ParseLiteral(item, vocabulary, variables));
+    const Literal literal = ParseLiteral(item, vocabulary, variables);
+    for (const Literal& other : literals) {
+      if (literal == other) item.Fail("stands in the list twice");
+      if (Contradict(literal, other)) {
+        item.Fail("the same list says the opposite: they never hold together");
+      }
+    }
+    literals.push_back(literal);
   }
   return literals;
 }

@@ -51,7 +51,10 @@ Term ParseTerm(const Config& config, int type, const Vocabulary& vocabulary,
 /// @throws ConfigError for unknown words, wrong types, wrong numbers of terms.
 Literal ParseLiteral(const Config& config, const Vocabulary& vocabulary,
                      std::span<const Variable> variables);
-/// A list of them.
+/// True if they cannot both hold, whatever their variables stand for.
+bool Contradict(const Literal& a, const Literal& b);
+/// A list of them that can hold together.
+/// @throws ConfigError also for one that is there twice or contradicts another.
 std::vector<Literal> ParseLiterals(const Config& config,
                                    const Vocabulary& vocabulary,
                                    std::span<const Variable> variables);

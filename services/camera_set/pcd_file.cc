@@ -3,16 +3,15 @@
 
 #include <fmt/format.h>
 #include <pcl/console/print.h>
-#include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "services/camera_set/pcd_header.h"
 
 namespace cell {
 namespace {
@@ -22,48 +21,8 @@ namespace {
   throw std::runtime_error(path.string() + ": " + what);
 }
 
-bool HasField(const pcl::PCLPointCloud2& cloud, const std::string& name) {
-  return std::any_of(cloud.fields.begin(), cloud.fields.end(),
-                     [&](const auto& field) { return field.name == name; });
-}
-
-/// What the header announces, read by hand: PCL's reader makes room for it
-/// before it can be asked.
-void CheckSize(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) Fail(path, "cannot be opened");
-  int64_t width = 0;
-  int64_t height = 0;
-  int64_t num_points = 0;
-  std::string line;
-  while (std::getline(file, line) && !line.starts_with("DATA")) {
-    std::istringstream words(line);
-    std::string key;
-    words >> key;
-    if (key == "WIDTH") words >> width;
-    if (key == "HEIGHT") words >> height;
-    if (key == "POINTS") words >> num_points;
-  }
-  if (height <= 1 || !IsPictureSize(width, height) ||
-      num_points != width * height) {
-    Fail(path, fmt::format("is no organised cloud of at most {} points: "
-                           "{} x {}, {} in all",
-                           kMaxPixels, width, height, num_points));
-  }
-}
-
-void CheckFields(const std::filesystem::path& path) {
-  pcl::PCLPointCloud2 header;
-  if (pcl::PCDReader().readHeader(path.string(), header) != 0) {
-    Fail(path, "is no PCD file");
-  }
-  for (const char* name : {"x", "y", "z"}) {
-    if (!HasField(header, name)) Fail(path, fmt::format("lacks {}", name));
-  }
-  if (!HasField(header, "rgb") && !HasField(header, "rgba")) {
-    Fail(path, "lacks colour: rgb or rgba");
-  }
-}
+// No camera of depth measures so far [m].
+constexpr double kFarthest = 100;
 
 pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
   pcl::PointCloud<pcl::PointXYZRGB> cloud;
@@ -82,22 +41,36 @@ pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
   // It would speak to the person by itself.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  CheckSize(path);
-  CheckFields(path);
+  const PcdHeader header = CheckPcd(path);
   const auto cloud = Load(path);
-  const int width = static_cast<int>(cloud.width);
-  const int height = static_cast<int>(cloud.height);
-  if (cloud.size() != size_t{cloud.width} * cloud.height) {
+  const int width = static_cast<int>(header.width);
+  const int height = static_cast<int>(header.height);
+  if (cloud.size() != static_cast<size_t>(header.num_points())) {
     Fail(path, "is damaged");
   }
-  PcdImage image{{width, height, {}}, {width, height, {}}};
+  const double range = std::min(65535 * depth_unit, kFarthest);
+  PcdImage image{{width, height, {}}, {width, height, {}}, {}};
   for (const pcl::PointXYZRGB& point : cloud) {
     const double count = std::round(point.z / depth_unit);
-    const bool is_measured = count >= 1 && count <= 65535;
+    const bool is_measured = point.z <= range && count >= 1 && count <= 65535;
     image.depth.counts.push_back(is_measured ? static_cast<uint16_t>(count)
                                              : uint16_t{0});
     image.colour.pixels.push_back({point.r, point.g, point.b});
+    if (!std::isfinite(point.z)) continue;
+    image.lost.num_beyond += point.z > range;
+    image.lost.num_behind += count < 1;
   }
+  const bool is_any =
+      std::any_of(image.depth.counts.begin(), image.depth.counts.end(),
+                  [](uint16_t count) { return count > 0; });
+  if (!is_any && image.lost.num_beyond > 0) {
+    Fail(path, fmt::format("{} of its {} points lie beyond {} m, none within: "
+                           "x, y, z should be in m (camera.yaml: depth_unit_mm "
+                           "{})",
+                           image.lost.num_beyond, cloud.size(), range,
+                           1e3 * depth_unit));
+  }
+  image.lost.range = range;
   return image;
 }
 

@@ -11,13 +11,20 @@ namespace cell {
 struct PcdImage {
   RgbImage colour;
   DepthImage depth;
+  /// Finite points that have become no depth.
+  struct Lost {
+    int num_beyond = 0;  ///< farther than `range`
+    int num_behind = 0;  ///< at the camera or behind it
+    double range = 0;    ///< [m]
+  };
+  Lost lost;
 };
 
 /// Reads a PCD file (ascii, binary or compressed) whose points x, y, z [m] are
 /// in the camera's frame, one for each pixel, with their colour, rgb or rgba.
 /// Depth is z in counts of `depth_unit` [m]; 0 for points that are not finite.
-/// @throws std::runtime_error naming the file if it is missing or damaged, not
-/// organised, without colour, or larger than kMaxPixels.
+/// @throws std::runtime_error naming the file if it is missing or not as
+/// CheckPcd() wants it, or if all that it measures is too far: another unit.
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit);
 
 }  // namespace cell

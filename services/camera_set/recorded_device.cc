@@ -1,5 +1,6 @@
 #include "services/camera_set/recorded_device.h"
 
+#include "cell/alert_t.hpp"
 #include "cell/tick_t.hpp"
 #include "common/bus/message.h"
 
@@ -18,10 +19,20 @@ RecordedDevice::RecordedDevice(Bus& bus, const Params& params)
 std::optional<RgbdFrame> RecordedDevice::Take() {
   auto frame = frames_.Next();
   if (!frame) return std::nullopt;
+  if (!frames_.remark().empty()) PublishRemark();
   frame->utime = bus_.now();
   frame->camera = camera_;
   frame->view.X_WC = X_WC_;
   return frame;
+}
+
+void RecordedDevice::PublishRemark() {
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = alert_t::WARNING;
+  alert.cause = alert_t::BAD_INPUT;
+  alert.text = frames_.remark();
+  bus_.Publish("ALERT", alert);
 }
 
 }  // namespace cell

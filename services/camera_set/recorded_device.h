@@ -9,7 +9,8 @@
 
 namespace cell {
 
-/// A folder of recorded frames -> pictures, as if they were taken now.
+/// A folder of recorded frames -> pictures, as if they were taken now. What in
+/// a file yields no measurement is said once, as an ALERT.
 class RecordedDevice final : public FrameDevice {
  public:
   struct Params {
@@ -25,6 +26,8 @@ class RecordedDevice final : public FrameDevice {
   std::optional<RgbdFrame> Take() override;
 
  private:
+  void PublishRemark();
+
   Bus& bus_;
   std::string camera_;
   Eigen::Isometry3d X_WC_;

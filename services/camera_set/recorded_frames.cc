@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -23,8 +24,43 @@ constexpr char kCloud[] = ".pcd";
   throw std::runtime_error(path.string() + ": " + what);
 }
 
+bool IsDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// The name with each number told by its length first: in the order of these,
+/// 2 comes before 10.
+std::string OrderKey(const std::string& name) {
+  std::string key;
+  for (size_t i = 0; i < name.size();) {
+    size_t end = i;
+    while (end < name.size() && IsDigit(name[end])) ++end;
+    if (end == i) {
+      key += name[i++];
+      continue;
+    }
+    size_t begin = i;
+    while (begin + 1 < end && name[begin] == '0') ++begin;
+    key +=
+        fmt::format("0{:03}{}", end - begin, name.substr(begin, end - begin));
+    i = end;
+  }
+  return key;
+}
+
+bool IsBefore(const std::string& a, const std::string& b) {
+  const std::string key_a = OrderKey(a);
+  const std::string key_b = OrderKey(b);
+  return key_a != key_b ? key_a < key_b : a < b;
+}
+
 std::string SizeText(int width, int height) {
   return fmt::format("{} x {} pixels", width, height);
+}
+
+bool IsWithoutDepth(const DepthImage& depth) {
+  return std::all_of(depth.counts.begin(), depth.counts.end(),
+                     [](uint16_t count) { return count == 0; });
 }
 
 }  // namespace
@@ -49,8 +85,16 @@ RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
   }
   if (names.empty()) Fail(folder_, "holds no frame");
   names_.assign(names.begin(), names.end());
+  std::sort(names_.begin(), names_.end(), IsBefore);
   for (const std::string& name : names_) {
-    if (fs::exists(folder_ / (name + kCloud))) continue;
+    const fs::path cloud = folder_ / (name + kCloud);
+    if (fs::exists(cloud)) {
+      if (fs::exists(folder_ / (name + kColour)) ||
+          fs::exists(folder_ / (name + kDepth))) {
+        Fail(cloud, "the same frame is there as a picture, too; one must go");
+      }
+      continue;
+    }
     for (const char* half : {kColour, kDepth}) {
       const fs::path path = folder_ / (name + half);
       if (!fs::exists(path)) Fail(path, "is missing; its other half is there");
@@ -64,7 +108,13 @@ std::optional<RgbdFrame> RecordedFrames::Next() {
     next_ = 0;
   }
   const std::string& name = names_[next_++];
+  remark_.clear();
   RgbdFrame frame = Load(name);
+  if (IsWithoutDepth(frame.depth)) {
+    remark_ = fmt::format("{}: none of its {} pixels was measured",
+                          (folder_ / name).string(), frame.depth.counts.size());
+  }
+  if (!remark_.empty() && !remarked_.insert(name).second) remark_.clear();
   if (!has_size_) {
     view_.width = frame.depth.width;
     view_.height = frame.depth.height;
@@ -81,15 +131,26 @@ std::optional<RgbdFrame> RecordedFrames::Next() {
   return frame;
 }
 
-RgbdFrame RecordedFrames::Load(const std::string& name) const {
+RgbdFrame RecordedFrames::LoadCloud(const fs::path& path) {
+  PcdImage image = ReadPcd(path, depth_unit_);
+  const PcdImage::Lost& lost = image.lost;
+  if (lost.num_beyond + lost.num_behind > 0) {
+    remark_ = fmt::format(
+        "{}: of {} points {} lie beyond {} m and {} not "
+        "before the camera; they are no depth",
+        path.string(), image.depth.counts.size(), lost.num_beyond, lost.range,
+        lost.num_behind);
+  }
+  RgbdFrame frame;
+  frame.colour = std::move(image.colour);
+  frame.depth = std::move(image.depth);
+  return frame;
+}
+
+RgbdFrame RecordedFrames::Load(const std::string& name) {
   RgbdFrame frame;
   const fs::path cloud = folder_ / (name + kCloud);
-  if (fs::exists(cloud)) {
-    PcdImage image = ReadPcd(cloud, depth_unit_);
-    frame.colour = std::move(image.colour);
-    frame.depth = std::move(image.depth);
-    return frame;
-  }
+  if (fs::exists(cloud)) return LoadCloud(cloud);
   const fs::path path = folder_ / (name + kDepth);
   frame.colour = ReadColourPng(folder_ / (name + kColour));
   frame.depth = ReadDepthPng(path);

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "common/imaging/rgbd_frame.h"
@@ -11,7 +13,8 @@ namespace cell {
 
 /// A folder of recorded frames, device adapter: <name>.colour.png (8 bits) with
 /// <name>.depth.png (16 bits of grey), or <name>.pcd (an organised cloud in C),
-/// in the order of their names, and camera.yaml, how they were taken:
+/// in the order of their names with numbers by their value (2 before 10), and
+/// camera.yaml, how they were taken:
 ///
 ///   {fx: 589.4, fy: 609.3, cx: 319.5, cy: 239.5, depth_unit_mm: 0.1}
 ///
@@ -20,7 +23,8 @@ namespace cell {
 class RecordedFrames {
  public:
   /// @throws std::runtime_error naming the folder or the file if there is no
-  /// frame or one lacks a half, ConfigError for camera.yaml.
+  /// frame, one lacks a half or is there as a cloud besides, ConfigError for
+  /// camera.yaml.
   RecordedFrames(std::filesystem::path folder, bool is_loop);
 
   /// The next frame without utime, camera and X_WC; nothing when all have been
@@ -31,8 +35,13 @@ class RecordedFrames {
 
   size_t size() const { return names_.size(); }
 
+  /// What of the last frame yields no measurement though the file may mean it,
+  /// with file and counts; empty if nothing, or if it was said before.
+  const std::string& remark() const { return remark_; }
+
  private:
-  RgbdFrame Load(const std::string& name) const;
+  RgbdFrame Load(const std::string& name);
+  RgbdFrame LoadCloud(const std::filesystem::path& path);
 
   std::filesystem::path folder_;
   bool is_loop_;
@@ -41,6 +50,8 @@ class RecordedFrames {
   double depth_unit_ = 1e-3;
   std::vector<std::string> names_;
   size_t next_ = 0;
+  std::string remark_;
+  std::set<std::string> remarked_;  // names
 };
 
 }  // namespace cell

@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
       "A robot cell that is taught by showing.\n"
       "Example: cell demo --seed 7");
   app.require_subcommand(1);
-  cell::Action action;
-  cell::AddAllCommands(app, &action);
+  cell::cli::Action action;
+  cell::cli::AddAllCommands(app, &action);
   try {
     app.parse(argc, argv);
     return action();

@@ -68,7 +68,7 @@ Config ConfigOf(const ActionRecord& record) {
   for (const auto& [key, text] : blocks) {
     if (!text->empty()) node[key] = Block(*text, record.name + ":" + key);
   }
-  return Config::Parse(YAML::Dump(node), record.name);
+  return Config::Parse(YAML::Dump(node), record.name, false);
 }
 
 std::vector<ActionRecord> TaskActions(const Config& domain_config) {

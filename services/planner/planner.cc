@@ -31,8 +31,9 @@ std::string InCapitals(std::string text) {
 }
 
 /// [us]
-int64_t Duration(const Config& config, const std::string& key, double high_ms) {
-  return std::llround(1e3 * config.Number(key, 0, high_ms));
+int64_t Duration(const Config& config, const std::string& key, double high_ms,
+                 double low_ms = 0) {
+  return std::llround(1e3 * config.Number(key, low_ms, high_ms));
 }
 
 /// All ground actions of the actions that are named.
@@ -56,15 +57,18 @@ std::set<GroundAction> LoadSteps(const std::vector<Config>& names,
 Executor::Params LoadExecutor(const Config& config, const Domain& domain,
                               const PlanSearch::Params& search) {
   constexpr double kMinuteMs = 60'000;
+  constexpr double kTickMs = 8;  // less is never
   Executor::Params params;
   params.search = search;
   params.search.agent = Agent::kRobot;
   params.settle_us = Duration(config, "settle_ms", kMinuteMs);
-  params.deadline_us = Duration(config, "deadline_ms", kMinuteMs);
-  params.sense_period_us = Duration(config, "sense_period_ms", kMinuteMs);
-  params.watch_period_us = Duration(config, "watch_period_ms", kMinuteMs);
+  params.deadline_us = Duration(config, "deadline_ms", kMinuteMs, kTickMs);
+  params.sense_period_us =
+      Duration(config, "sense_period_ms", kMinuteMs, kTickMs);
+  params.watch_period_us =
+      Duration(config, "watch_period_ms", kMinuteMs, kTickMs);
   params.patience_us = Duration(config, "patience_ms", kMinuteMs);
-  params.lost_us = Duration(config, "lost_ms", kMinuteMs);
+  params.lost_us = Duration(config, "lost_ms", kMinuteMs, kTickMs);
   params.max_attempts = config.Integer("max_attempts", 1, 100);
   params.parallel = config.Get<bool>("parallel");
   params.help_steps = LoadSteps(config.ItemsOf("help_steps"), domain);

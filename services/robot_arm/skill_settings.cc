@@ -91,6 +91,9 @@ SkillSettings SkillSettings::FromConfig(const Config& config,
   t.max_torque = turning.Number("max_torque", 0.01, 20);
   t.min_angle = kDegree * turning.Number("min_angle_deg", 0, 720);
   t.max_angle = kDegree * turning.Number("max_angle_deg", 0, 720);
+  if (t.min_angle > t.max_angle) {
+    turning["min_angle_deg"].Fail("lies above max_angle_deg");
+  }
   config.Finish();
   return settings;
 }

@@ -12,17 +12,19 @@ std::vector<std::string> NamesOf(const Config& config, const std::string& key) {
   std::vector<std::string> names;
   for (const Config& item : config.ItemsOf(key)) {
     names.push_back(item.As<std::string>());
+    if (std::ranges::count(names, names.back()) > 1) {
+      item.Fail("'" + names.back() + "' is named twice");
+    }
   }
   return names;
 }
 
 CountRange CountOf(const Config& config) {
-  const std::vector<double> range = config.Numbers("count", 2);
-  const CountRange count{static_cast<int>(range[0]),
-                         static_cast<int>(range[1])};
-  if (count.low < 0 || count.high < count.low) {
+  const auto range = config.Get<std::vector<int>>("count");
+  if (range.size() != 2 || range[0] < 0 || range[1] < range[0]) {
     config["count"].Fail("should be [low, high]");
   }
+  const CountRange count{range[0], range[1]};
   return count;
 }
 
@@ -70,6 +72,13 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
         return AnyIs(part.sites, rule.site_type, &Site::type);
       })) {
     config["site"].Fail("no site is of type '" + rule.site_type + "'");
+  }
+  if (std::ranges::none_of(table.parts(), [&](const Part& part) {
+        return part.type == rule.part_type &&
+               AnyIs(part.fits, rule.site_type, std::identity{});
+      })) {
+    config["site"].Fail("no part of the type '" + rule.part_type + "' fits '" +
+                        rule.site_type + "', as parts.yaml says");
   }
   rule.after = NamesOf(config, "after");
   if (config.Has("aim_mm")) {
@@ -125,6 +134,9 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
   }
   script.num_hands = config.Integer("hands", 0, 2);
   script.place = NamesOf(config, "place");
+  if (script.agent == "person" && script.num_hands == 0) {
+    config["hands"].Fail("a person needs a hand");
+  }
   if (config.Has("take_backs")) {
     const Config take_backs = config["take_backs"];
     script.take_backs = CountOf(take_backs);
@@ -170,7 +182,12 @@ void CheckAfter(const Config& config, const DemonstratorBook& book) {
 }
 
 void CheckScript(const Config& config, const Script& script,
-                 const DemonstratorBook& book) {
+                 const DemonstratorBook& book, const PartTable& table) {
+  for (const std::string& type : script.lay_outside) {
+    if (!AnyIs(table.parts(), type, &Part::type)) {
+      config["lay_outside"].Fail("no part is of type '" + type + "'");
+    }
+  }
   const auto check = [&](const std::string& key, const std::string& rule) {
     if (!book.rules.contains(rule)) {
       config[key].Fail("no placement '" + rule + "'");
@@ -201,7 +218,7 @@ DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
   CheckAfter(config, book);
   for (const auto& [name, entry] : config["scripts"].Entries()) {
     const Script script = ScriptFromConfig(entry, name);
-    CheckScript(entry, script, book);
+    CheckScript(entry, script, book, table);
     book.scripts.emplace(name, script);
   }
   config.Finish();

@@ -19,6 +19,8 @@
 #include "services/cell/running/service_registry.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 constexpr uint64_t kSeed = 500;

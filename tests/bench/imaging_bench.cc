@@ -16,6 +16,8 @@
 #include "services/cell/running/service_registry.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 // The cell at a moment of an episode of the arms.

@@ -45,6 +45,8 @@
 #include "services/cell/running/service_registry.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 constexpr int kNumForgeries = 100'000;

@@ -16,6 +16,8 @@
 
 namespace cell {
 
+using namespace cli;
+
 /// The shipped cell without its recorder, in one process, while it assembles by
 /// itself: a test hears every message and may intervene.
 class AssemblingCell {

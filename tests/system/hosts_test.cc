@@ -28,6 +28,8 @@
 #include "tests/system/run_cell.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 namespace fs = std::filesystem;

@@ -23,6 +23,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 namespace fs = std::filesystem;

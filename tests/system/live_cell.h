@@ -20,6 +20,8 @@
 
 namespace cell {
 
+using namespace cli;
+
 /// A live cell on a network of the test's own.
 class LiveCell : public RunCell {
  protected:

@@ -10,6 +10,8 @@ cell_add_test(system/log_command_test.cc LINK cell_bus TIMEOUT 300)
 cell_add_test(system/follow_test.cc LINK cell_bus TIMEOUT 300)
 add_dependencies(follow_test programs)
 add_dependencies(log_command_test programs)
+cell_add_test(system/bad_input_test.cc TIMEOUT 120)
+add_dependencies(bad_input_test programs)
 cell_add_test(system/doctor_test.cc LINK cell_bus)
 add_dependencies(doctor_test programs)
 # What only a build with Java has (deploy/spy).

@@ -118,7 +118,7 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\ncolour: red"; }),
               HasSubstr("LayAside:sec.colour: not known"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\n[a]: red"; }),
-              HasSubstr("not the YAML of a domain"));
+              HasSubstr("LayAside:sec: a map or a list cannot be a key"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.skill_settings = "insertion"; }),
               HasSubstr("goes with a skill"));
   EXPECT_THAT(ReasonFor([](auto& r) {

@@ -12,6 +12,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 using testing::ElementsAre;

@@ -8,6 +8,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 using Eigen::Isometry3d;

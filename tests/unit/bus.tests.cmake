@@ -1,7 +1,7 @@
 cell_add_test(unit/stepper_test.cc LINK cell_bus)
 cell_add_test(unit/lockstep_test.cc LINK cell_bus)
 cell_add_test(unit/event_log_test.cc LINK cell_bus)
-cell_add_test(unit/config_test.cc LINK cell_config)
+cell_add_test(unit/config_test.cc LINK cell_config fmt::fmt)
 cell_add_test(unit/arrivals_test.cc LINK cell_bus)
 cell_add_test(unit/channel_filter_test.cc LINK cell_bus)
 cell_add_test(unit/live_test.cc LINK cell_bus)

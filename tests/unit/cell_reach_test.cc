@@ -359,7 +359,8 @@ std::string WhyRefused(const std::string& from, const std::string& to) {
     const CellLayout layout = CellLayout::FromConfig(config);
     CheckCell(config, ShippedTask().parts, layout);
   } catch (const ConfigError& error) {
-    return error.what();
+    const std::string what = error.what();
+    return what.substr(0, what.rfind(" (line "));
   }
   return "";
 }

@@ -8,6 +8,8 @@
 #include "services/cell/running/spy_command.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 using testing::ElementsAre;

@@ -22,6 +22,8 @@
 #include "tests/unit/toy_services.h"
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 namespace fs = std::filesystem;

@@ -72,8 +72,9 @@ TEST(PartTable, AGraspSuitsAPinchUnlessItNamesItsGrips) {
   EXPECT_THAT(grasps.at(0).grips, testing::ElementsAre("two_finger_pinch"));
   EXPECT_THAT(grasps.at(1).grips,
               testing::ElementsAre("ball", "two_finger_pinch"));
-  EXPECT_EQ(ErrorOf(With(good, "[ball, two_finger_pinch]", "[]")),
-            "parts.yaml:parts.cube.grasps[1].grips: names no grip");
+  EXPECT_THAT(ErrorOf(With(good, "[ball, two_finger_pinch]", "[]")),
+              testing::StartsWith(
+                  "parts.yaml:parts.cube.grasps[1].grips: names no grip"));
 }
 
 TEST(PartTable, RefusesImpossiblePartsByFileAndKey) {

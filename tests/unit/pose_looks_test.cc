@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace cell {
+
+using namespace cli;
 namespace {
 
 void PutAt(int64_t utime, PoseLooks& looks) {

@@ -29,6 +29,7 @@ const std::set<std::string> kAdapters = {
     "common/node/service_manager.cc",          // the watchdog's time
     "common/rendering/bands.cc",               // rows on all cores
     "services/camera_set/pcd_file.cc",         // reads recorded clouds
+    "services/camera_set/pcd_header.cc",       // and their headers
     "services/camera_set/recorded_frames.cc",  // reads recorded frames
     "services/cell/commands/demo.cc",          // starts the cell's processes
     "services/cell/doctor/host_machine.cc",    // files and clock of the machine

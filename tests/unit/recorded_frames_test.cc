@@ -145,6 +145,115 @@ TEST_F(Recorded, NameTheFileThatIsDamaged) {
   ExpectFailure("b.pcd: lacks colour");
 }
 
+// A cloud of 3 x 2 points, of which one line of the header is another.
+std::string Cloud(const std::string& line = "", const std::string& data = "") {
+  const std::string key = line.substr(0, line.find(' '));
+  std::string text;
+  for (const std::string entry :
+       {"VERSION .7", "FIELDS x y z rgb", "SIZE 4 4 4 4", "TYPE F F F U",
+        "COUNT 1 1 1 1", "WIDTH 3", "HEIGHT 2", "VIEWPOINT 0 0 0 1 0 0 0",
+        "POINTS 6", "DATA ascii"}) {
+    const bool is_other = entry.substr(0, entry.find(' ')) == key;
+    text += (is_other ? line : entry) + "\n";
+  }
+  const std::string six =
+      "0 0 1 0\n0 0 1 0\n0 0 1 0\n0 0 1 0\n0 0 1 0\n0 0 1 0\n";
+  return text + (data.empty() ? six : data);
+}
+
+TEST_F(Recorded, EveryClaimOfACloudIsChecked) {
+  const std::string point(16, 'a');
+  const std::string points(96, 'a');
+  const std::string sizes("\x10\0\0\0\x60\0\0\0", 8);
+  const std::pair<std::string, std::string> cases[] = {
+      {Cloud("COUNT 1 1 1 2000000000"), "COUNT 2000000000"},
+      {Cloud("COUNT 1 1 1 -1"), "COUNT '-1' is negative"},
+      {Cloud("POINTS 2000000000"), "no organised cloud"},
+      {Cloud("WIDTH 0x3"), "WIDTH '0x3'"},
+      {Cloud("WIDTH 03"), "WIDTH '03' has a leading zero"},
+      {Cloud("WIDTH 99999999999999999999"), "is out of range"},
+      {Cloud("WIDTH"), "WIDTH should be one number"},
+      {Cloud("HEIGHT 1"), "no organised cloud"},
+      {Cloud("SIZE 8 4 4 4"), "x is of TYPE F, SIZE 8"},
+      {Cloud("TYPE U F F U"), "x is of TYPE U"},
+      {Cloud("TYPE Q F F U"), "TYPE Q of SIZE 4"},
+      {Cloud("SIZE 4 4 4 1"), "rgb is of SIZE 1"},
+      {Cloud("SIZE 4 4 4"), "has 4 FIELDS, 3 SIZEs"},
+      {Cloud("FIELDS x y x rgb"), "has the field x twice"},
+      {Cloud("FIELDS x y w rgb"), "lacks z"},
+      {Cloud("FIELDS x y z w"), "lacks colour"},
+      {Cloud("DATA base64"), "DATA 'base64' is none of"},
+      {Cloud("", "0 0 1,5 0\n"), "line 11: z cannot be '1,5'"},
+      {Cloud("", "0 0 1.5x 0\n"), "line 11: z cannot be '1.5x'"},
+      {Cloud("", "0 0 1 -3\n"), "line 11: rgb cannot be '-3'"},
+      {Cloud("", "0 0 1 4294967296\n"), "rgb cannot be '4294967296'"},
+      {Cloud("", "0 0 1\n"), "line 11: ends before rgb"},
+      {Cloud("", "0 0 1 0 7\n"), "line 11: has 5 values"},
+      {Cloud("", "0 0 1 0\n0 0 1 0\n"), "has 2 points, its header claims 6"},
+      {Cloud() + "0 0 1 0\n", "has 7 points"},
+      {Cloud("DATA binary", point), "claims 96 bytes of points, 16 are there"},
+      {Cloud("DATA binary", points + "xyz"), "has 3 bytes behind its points"},
+      {Cloud("DATA binary_compressed", "abc"), "cut off"},
+      {Cloud("DATA binary_compressed", std::string(8, 'a')), "claims 16"},
+      {Cloud("DATA binary_compressed", sizes + "abc"), "is cut off"},
+  };
+  for (const auto& [text, what] : cases) {
+    Write("b.pcd", text);
+    ExpectFailure("b.pcd: ");
+    ExpectFailure(what);
+  }
+}
+
+TEST_F(Recorded, AreInTheOrderOfTheirNumbers) {
+  for (const char* name : {"a", "c"}) {
+    fs::remove(dir_ / (std::string(name) + ".colour.png"));
+    fs::remove(dir_ / (std::string(name) + ".depth.png"));
+  }
+  fs::remove(dir_ / "b.pcd");
+  for (uint16_t i = 0; i < 12; ++i) {
+    WriteFrame("frame" + std::to_string(i) + "_x",
+               static_cast<uint16_t>(i + 1));
+  }
+  RecordedFrames frames(dir_, false);
+  for (uint16_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(frames.Next()->depth.counts[0], i + 1);
+  }
+}
+
+TEST_F(Recorded, ACloudInMillimetresIsRefusedByName) {
+  std::string data;
+  for (int i = 0; i < 5; ++i) data += "0 0 850.5 0\n";
+  Write("b.pcd", Cloud("", data + "nan nan nan 0\n"));
+  ExpectFailure("b.pcd: 5 of its 6 points lie beyond 65.535 m, none within");
+}
+
+TEST_F(Recorded, WhatYieldsNoMeasurementIsSaidOnceWithItsCounts) {
+  WriteFrame("a", 0);
+  Write("b.pcd", Cloud("",
+                       "0 0 1 0\n0 0 99 0\n0 0 -1 0\n0 0 0 0\n"
+                       "nan nan nan 0\n0 0 2 0\n"));
+  RecordedFrames frames(dir_, true);
+  std::vector<std::string> remarks;
+  for (int i = 0; i < 6; ++i) {
+    frames.Next();
+    remarks.push_back(frames.remark());
+  }
+  EXPECT_THAT(remarks[0], HasSubstr("a: none of its 6 pixels was measured"));
+  EXPECT_THAT(remarks[1], HasSubstr("b.pcd: of 6 points 1 lie beyond 65.535 m "
+                                    "and 2 not before the camera"));
+  for (int i = 2; i < 6; ++i) EXPECT_EQ(remarks[i], "");
+}
+
+TEST_F(Recorded, APictureEndsWhereItsFileDoes) {
+  std::ofstream(dir_ / "c.depth.png", std::ios::app) << "more";
+  ExpectFailure("c.depth.png: is cut off, or has bytes behind its end");
+}
+
+TEST_F(Recorded, AFrameIsThereAsACloudOrAsPictures) {
+  WriteFrame("b", 1);
+  ExpectFailure("b.pcd: the same frame is there as a picture, too");
+}
+
 TEST_F(Recorded, MisspeltKeysAreNamed) {
   Write("camera.yaml",
         "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1, fz: 3}\n");

@@ -13,7 +13,7 @@
 #include "services/cell/motion/motion_check.h"
 #include "services/cell/running/run_folder.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 int RunCheck(const std::string& path) {
@@ -59,4 +59,4 @@ void AddCheck(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

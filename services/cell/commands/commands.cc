@@ -1,6 +1,6 @@
 #include "services/cell/commands/commands.h"
 
-namespace cell {
+namespace cell::cli {
 
 void AddAllCommands(CLI::App& app, Action* action) {
   for (const auto add :
@@ -12,4 +12,4 @@ void AddAllCommands(CLI::App& app, Action* action) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@ namespace CLI {
 class App;
 }
 
-namespace cell {
+namespace cell::cli {
 
 /// What main() runs once the arguments are parsed; its exit code.
 using Action = std::function<int()>;
@@ -40,4 +40,4 @@ void AddDoctor(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
 void AddLibrary(CLI::App& app, Action* action);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -13,6 +13,7 @@
 
 #include "common/bus/lcm_port.h"
 #include "common/bus/private_network.h"
+#include "common/config/decimal.h"
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
@@ -21,7 +22,7 @@
 #include "services/cell/running/run_options.h"
 #include "services/cell/running/run_report.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct DemoOptions {
@@ -39,18 +40,16 @@ PlannedKill ParseKill(const std::string& text, const Roster& roster) {
   const size_t at = text.rfind('@');  // names may have one, too
   if (at != std::string::npos) {
     PlannedKill kill{text.substr(0, at), 0};
-    const std::string tick = text.substr(at + 1);
-    const bool is_number =
-        !tick.empty() && tick.size() < 9 &&
-        tick.find_first_not_of("0123456789") == std::string::npos;
-    if (is_number && roster.IndexOf(kill.service).value_or(0) > 0) {
-      kill.tick = std::stoi(tick);
+    const auto tick = ParseDecimal<int>(text.substr(at + 1)).value;
+    if (tick && *tick >= 0 && roster.IndexOf(kill.service).value_or(0) > 0) {
+      kill.tick = *tick;
       return kill;
     }
   }
   throw std::invalid_argument("--kill " + text +
                               ": not of the form SERVICE@TICK with a service "
-                              "of roster.yaml other than the clock");
+                              "of roster.yaml other than the clock and a "
+                              "decimal number");
 }
 
 // All processes of a cell on a network of their own, until the clock ends.
@@ -227,4 +226,4 @@ void AddDemo(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

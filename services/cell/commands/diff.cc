@@ -11,7 +11,7 @@
 #include "common/bus/run_log.h"
 #include "services/cell/commands/commands.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // The first thing in which two ticks differ, or nothing.
@@ -80,4 +80,4 @@ void AddDiff(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

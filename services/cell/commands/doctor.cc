@@ -7,13 +7,14 @@
 #include <string>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/doctor/host_machine.h"
 #include "services/cell/doctor/network_checks.h"
 #include "services/cell/doctor/software_checks.h"
 #include "services/cell/doctor/system_checks.h"
 
-namespace cell {
+namespace cell::cli {
 
 namespace fs = std::filesystem;
 
@@ -101,7 +102,7 @@ void AddDoctor(CLI::App& app, Action* action) {
   command
       ->add_option("--min-free-mb", options->min_free_mb,
                    "disk space that a run may need")
-      ->check(CLI::NonNegativeNumber)
+      ->check(NumberIn<int64_t>(0, int64_t{1} << 40))
       ->capture_default_str();
   command->callback([=] {
     *action = [=] {
@@ -110,4 +111,4 @@ void AddDoctor(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

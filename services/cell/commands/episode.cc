@@ -5,10 +5,11 @@
 #include <memory>
 
 #include "cell/command_episode_t.hpp"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/operator_port.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct EpisodeOptions {
@@ -46,7 +47,9 @@ void AddEpisode(CLI::App& app, Action* action) {
       ->check(CLI::IsMember({"start", "end"}));
   command->add_option("--demonstration", options->demonstration,
                       "script of the task, for start");
-  command->add_option("--seed", options->seed)->capture_default_str();
+  command->add_option("--seed", options->seed)
+      ->check(NumberIn<int64_t>(0))
+      ->capture_default_str();
   AddOperatorOptions(*command, &options->port);
   command->callback([=] {
     *action = [=] {
@@ -55,4 +58,4 @@ void AddEpisode(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,16 +6,20 @@
 #include <memory>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/job_pool.h"
 #include "services/cell/evaluations/row_store.h"
 #include "services/cell/running/progress.h"
+#include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
+
+constexpr int kMaxRuns = 1'000'000;
 
 struct EvalOptions {
   std::shared_ptr<Evaluation> evaluation;
@@ -42,6 +46,7 @@ CellFiles FilesFor(const EvalOptions& options) {
     tracker["sensing"].Fail(
         fmt::format("is {}, but {} is asked for", sensing, options.sensing));
   }
+  CheckTask(files, "");
   return files;
 }
 
@@ -175,11 +180,12 @@ void AddEval(CLI::App& app, Action* action) {
     command
         ->add_option("--runs", options->runs,
                      "runs of the largest group (default: as the goal says)")
-        ->check(CLI::PositiveNumber);
+        ->check(NumberIn(1, kMaxRuns));
     command->add_option("--seed", options->seed, "of the first run")
+        ->check(NumberIn<uint64_t>(0, UINT64_MAX - kMaxRuns))
         ->capture_default_str();
     command->add_option("--jobs", options->jobs, "processes at a time")
-        ->check(CLI::Range(1, 256))
+        ->check(NumberIn(1, 256))
         ->capture_default_str();
     command->add_option("--json", options->json_file,
                         "write the measures here");
@@ -197,4 +203,4 @@ void AddEval(CLI::App& app, Action* action) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

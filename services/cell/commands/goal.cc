@@ -8,7 +8,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/operator_port.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct GoalOptions {
@@ -45,4 +45,4 @@ void AddGoal(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

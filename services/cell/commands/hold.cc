@@ -8,7 +8,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/operator_port.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 int CommandMode(const OperatorOptions& options, int8_t action) {
@@ -49,4 +49,4 @@ void AddResume(CLI::App& app, Action* action) {
                  "Example: cell resume --deadline 5");
 }
 
-}  // namespace cell
+}  // namespace cell::cli

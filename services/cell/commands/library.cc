@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
@@ -16,7 +17,7 @@
 #include "services/library/record_check.h"
 #include "services/library/sqlite_action_store.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct LibraryOptions {
@@ -159,6 +160,7 @@ void AddLibrary(CLI::App& app, Action* action) {
       "Example: cell library show 3 --database runs/demo-0001",
       Show)
       ->add_option("id", options->id)
+      ->check(NumberIn<int64_t>(0))
       ->required();
   add("export",
       "Write all actions as JSON.\n"
@@ -177,4 +179,4 @@ void AddLibrary(CLI::App& app, Action* action) {
                      "folder with config/ and tasks/");
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -14,7 +14,7 @@
 #include "services/cell/logs/log_audit.h"
 #include "services/cell/logs/stock_reader.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ void AddLog(CLI::App& app, Action* action) {
       ->required();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

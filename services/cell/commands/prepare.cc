@@ -4,17 +4,24 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "common/bus/live_state.h"
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/run_folder.h"
+#include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
+
+// [s since 1970] Its microseconds fit into a utime.
+constexpr int64_t kLatestStart =
+    std::numeric_limits<int64_t>::max() / 1'000'000;
 
 struct PrepareOptions {
   std::string deploy_dir;
@@ -43,6 +50,8 @@ int64_t MonotonicTimeOf(int64_t utc_s) {
 }
 
 int Prepare(const PrepareOptions& options) {
+  const CellFiles files = FindCellFiles(options.deploy_dir);
+  CheckTask(files, options.demonstration);
   const LiveState state(options.state_dir);
   options.start_s ? state.CountFrom(MonotonicTimeOf(*options.start_s))
                   : state.Forget();
@@ -50,8 +59,7 @@ int Prepare(const PrepareOptions& options) {
       std::filesystem::path(options.state_dir) / "runs";
   RunFolder run =
       RunFolder::Create(FreeRunFolder(runs, "live").string(), "live",
-                        FindCellFiles(options.deploy_dir).deployment,
-                        options.demonstration, options.seed);
+                        files.deployment, options.demonstration, options.seed);
   if (options.has_cameras) run.TakePart("cameras");
   PointTo(run.path, runs / "current");
   std::cout << "the session is recorded in " << run.path.string() << "\n";
@@ -73,14 +81,16 @@ void AddPrepare(CLI::App& app, Action* action) {
                       "folder with config/ and tasks/");
   command->add_option("--demonstration", options->demonstration,
                       "script that the testbed begins with");
-  command->add_option("--seed", options->seed)->capture_default_str();
+  command->add_option("--seed", options->seed)
+      ->check(NumberIn<uint64_t>())
+      ->capture_default_str();
   command->add_flag("--cameras", options->has_cameras,
                     "the camera sets take part");
   command
       ->add_option("--start", options->start_s,
                    "when ticks begin [s since 1970, UTC]: the same on all "
                    "hosts of a cell (default: when the first service does)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(NumberIn<int64_t>(0, kLatestStart));
   command->callback([=] {
     *action = [=] {
       return Prepare(*options);
@@ -88,4 +98,4 @@ void AddPrepare(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -13,6 +13,7 @@
 #include "common/bus/run_log.h"
 #include "common/node/address_option.h"
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/progress.h"
@@ -20,7 +21,7 @@
 #include "services/cell/running/traffic.h"
 #include "services/recorder/rotating_log.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,7 +122,7 @@ void AddRecord(CLI::App& app, Action* action) {
   command->add_option("--out", options->out,
                       "folder of the logs (default: runs/record-...)");
   command->add_option("--seconds", options->duration_s, "end after so many")
-      ->check(CLI::Range(0.1, 86400.));
+      ->check(NumberIn(0.1, 86400.));
   command->callback([=] {
     *action = [=] {
       return RunRecord(*options);
@@ -129,4 +130,4 @@ void AddRecord(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -14,7 +14,7 @@
 #include "services/cell/running/run_folder.h"
 #include "services/cell/running/service_registry.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct ReplayOptions {
@@ -156,4 +156,4 @@ void AddReplay(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -10,7 +10,7 @@
 #include "services/cell/running/run_report.h"
 #include "services/cell/running/service_registry.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct SimOptions {
@@ -76,4 +76,4 @@ void AddSim(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -13,7 +13,7 @@
 #include "services/cell/doctor/host_machine.h"
 #include "services/cell/running/spy_command.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct SpyOptions {
@@ -69,4 +69,4 @@ void AddSpy(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -10,12 +10,13 @@
 #include "common/bus/lcm_port.h"
 #include "common/node/address_option.h"
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/traffic.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct TopOptions {
@@ -95,10 +96,12 @@ void AddTop(CLI::App& app, Action* action) {
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--period", options->period_s, "[s]")
-      ->check(CLI::Range(0.1, 60.))
+      ->check(NumberIn(0.1, 60.))
       ->capture_default_str();
-  command->add_option("--reports", options->num_reports,
-                      "end after so many; 0: until Ctrl-C");
+  command
+      ->add_option("--reports", options->num_reports,
+                   "end after so many; 0: until Ctrl-C")
+      ->check(NumberIn(0));
   command->callback([=] {
     *action = [=] {
       return RunTop(*options);
@@ -106,4 +109,4 @@ void AddTop(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

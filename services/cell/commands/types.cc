@@ -11,7 +11,7 @@
 #include "cell/type_texts.h"
 #include "services/cell/commands/commands.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 int WriteTypes(const std::filesystem::path& folder) {
@@ -45,4 +45,4 @@ void AddTypes(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

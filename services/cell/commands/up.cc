@@ -5,10 +5,12 @@
 #include <iostream>
 #include <memory>
 
+#include "common/node/cell_files.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/service_units.h"
+#include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 /// "tracker" of "cell-tracker.service".
@@ -43,6 +45,7 @@ int PrintStatus(const ServiceManager& manager) {
 }
 
 int Up(const ServiceManager& manager) {
+  CheckTask(FindCellFiles(""), "");
   manager.Start();
   return PrintStatus(manager);
 }
@@ -89,4 +92,4 @@ void AddStatus(CLI::App& app, Action* action) {
                     PrintStatus);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -11,12 +11,13 @@
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
 #include "common/imaging/png_file.h"
+#include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/pictures/frame_picture.h"
 #include "services/cell/pictures/scene_picture.h"
 #include "services/cell/running/run_folder.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct ViewOptions {
@@ -99,7 +100,8 @@ void AddView(CLI::App& app, Action* action) {
       "show what a camera took.\n"
       "Example: cell view runs/demo-0001 --at 20 --out scene.png");
   command->add_option("run", options->run, "run folder")->required();
-  command->add_option("--at", options->at_s, "[s] moment (default: the last)");
+  command->add_option("--at", options->at_s, "[s] moment (default: the last)")
+      ->check(NumberIn(0., 1e9));
   command->add_option("--out", options->out, "PNG file")->capture_default_str();
   command->add_flag("--ids", options->viewpoint.is_of_ids,
                     "every body in a colour of its own");
@@ -113,16 +115,17 @@ void AddView(CLI::App& app, Action* action) {
   command
       ->add_option("--azimuth", options->viewpoint.azimuth_deg,
                    "[deg] of the camera about the vertical")
+      ->check(NumberIn(-360., 360.))
       ->capture_default_str();
   command
       ->add_option("--elevation", options->viewpoint.elevation_deg,
                    "[deg] of the camera above the table")
-      ->check(CLI::Range(1.0, 89.0))
+      ->check(NumberIn(1.0, 89.0))
       ->capture_default_str();
   command
       ->add_option("--distance", options->viewpoint.distance,
                    "[m] of the camera")
-      ->check(CLI::Range(0.1, 10.0))
+      ->check(NumberIn(0.1, 10.0))
       ->capture_default_str();
   command->callback([=] {
     *action = [=] {
@@ -131,4 +134,4 @@ void AddView(CLI::App& app, Action* action) {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::cli

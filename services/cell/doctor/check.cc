@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace cell {
+namespace cell::cli {
 
 std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
   switch (diagnosis.level) {
@@ -18,4 +18,4 @@ std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
                      diagnosis.fix);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

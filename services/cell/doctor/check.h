@@ -8,7 +8,7 @@
 #include "common/bus/lcm_port.h"
 #include "services/cell/doctor/machine.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What is examined, and where.
 struct Site {
@@ -50,4 +50,4 @@ struct Check {
 /// "BAD  receive buffer: ...; fix: ..."
 std::string ToString(const std::string& check, const Diagnosis& diagnosis);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace cell {
+namespace cell::cli {
 
 namespace fs = std::filesystem;
 
@@ -66,4 +66,4 @@ int64_t HostMachine::NowSeconds() const {
   return std::time(nullptr);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

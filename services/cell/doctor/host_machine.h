@@ -2,7 +2,7 @@
 
 #include "services/cell/doctor/machine.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The machine that this process runs on. Device adapter.
 class HostMachine : public Machine {
@@ -17,4 +17,4 @@ class HostMachine : public Machine {
   int64_t NowSeconds() const override;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

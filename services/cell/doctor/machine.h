@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// What a diagnosis reads of the machine it runs on.
 class Machine {
@@ -39,4 +39,4 @@ class Machine {
   }
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -10,7 +10,7 @@
 
 #include "services/cell/doctor/proc_table.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr char kAddRoute[] = "ip route replace 224.0.0.0/4 dev lo";
@@ -158,4 +158,4 @@ std::vector<Check> NetworkChecks() {
           {"receive buffer at boot", CheckBufferAtBoot}};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

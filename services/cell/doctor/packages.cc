@@ -3,7 +3,7 @@
 #include <set>
 #include <sstream>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 std::set<std::string> InstalledIn(const std::string& status) {
@@ -38,4 +38,4 @@ MissingPackages FindMissingPackages(const std::string& list,
   return missing;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

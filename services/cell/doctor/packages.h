@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// Packages of a list like scripts/packages.txt that a Debian machine lacks.
 struct MissingPackages {
@@ -15,4 +15,4 @@ struct MissingPackages {
 MissingPackages FindMissingPackages(const std::string& list,
                                     const std::string& status);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 std::optional<uint32_t> Hexadecimal(const std::string& text) {
@@ -120,4 +120,4 @@ std::vector<ProcessName> OwnersOfUdpPort(const Machine& machine,
   return owners;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

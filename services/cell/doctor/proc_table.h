@@ -7,7 +7,7 @@
 
 #include "services/cell/doctor/machine.h"
 
-namespace cell {
+namespace cell::cli {
 
 // What the kernel says in /proc, in its own forms. Pure.
 
@@ -32,4 +32,4 @@ std::vector<ProcessName> OwnersOfUdpPort(const Machine& machine,
 /// The whole number that a text begins with.
 std::optional<int64_t> FirstNumber(const std::string& text);
 
-}  // namespace cell
+}  // namespace cell::cli

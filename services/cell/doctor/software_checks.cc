@@ -13,8 +13,9 @@
 #include "services/cell/doctor/packages.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/spy_command.h"
+#include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,6 +54,7 @@ Diagnosis CheckConfiguration(const Machine&, const Site& site) {
     return Diagnosis::Ok("(see roster)");
   }
   try {
+    CheckTask(files, "");
     SimBus bus(files.roster, AllServices(files.deployment, "", 1));
     bus.Step();
     return Diagnosis::Ok("every service can be built from it");
@@ -181,4 +183,4 @@ std::vector<Check> SoftwareChecks() {
           {"lcm-spy", CheckSpy}};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,9 +4,9 @@
 
 #include "services/cell/doctor/check.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What is installed: configuration, programs, message types, packages, Java.
 std::vector<Check> SoftwareChecks();
 
-}  // namespace cell
+}  // namespace cell::cli

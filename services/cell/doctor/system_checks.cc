@@ -8,7 +8,7 @@
 
 #include "services/cell/doctor/proc_table.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // Several hosts compare stamps; one does not.
@@ -149,4 +149,4 @@ std::vector<Check> SystemChecks() {
           {"stale runs", CheckStaleRuns}};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,10 +4,10 @@
 
 #include "services/cell/doctor/check.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The host: clock, processors, private networks, and the folder in which runs
 /// are kept. Pure.
 std::vector<Check> SystemChecks();
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -3,7 +3,7 @@
 #include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -59,4 +59,4 @@ std::unique_ptr<Evaluation> MakeAssemblyEvaluation() {
   return std::make_unique<AssemblyEvaluation>();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,10 +4,10 @@
 
 #include "services/cell/evaluations/evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The cell assembles by itself (sections VIII and IX): what is seated, what is
 /// turned home, what breaks, and how the arms behave.
 std::unique_ptr<Evaluation> MakeAssemblyEvaluation();
 
-}  // namespace cell
+}  // namespace cell::cli

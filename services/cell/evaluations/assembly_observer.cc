@@ -10,7 +10,7 @@
 #include "common/bus/decode.h"
 #include "services/cell/evaluations/episode_observer.h"
 
-namespace cell {
+namespace cell::cli {
 
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
@@ -71,4 +71,4 @@ std::optional<AssemblyScore> AssemblyObserver::Score() const {
   return ScoreAssembly(looks_.earlier(), looks_.last(), parts_, book_);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -13,7 +13,7 @@
 #include "services/cell/evaluations/pose_looks.h"
 #include "services/vtb/script.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// How a cell that assembles by itself fares. Reads ground truth, so no service
 /// may use it.
@@ -56,4 +56,4 @@ class AssemblyObserver {
   std::set<std::string> seated_;  // sites, as of the last comparison
 };
 
-}  // namespace cell
+}  // namespace cell::cli

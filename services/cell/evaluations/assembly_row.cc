@@ -11,7 +11,7 @@
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ bool HasHitNothing(const json& row) {
   return row.at("violations").at(NameOf(Violation::Kind::kCollision)) == 0;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -9,7 +9,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// A row of an evaluation: one assembly by the cell in one process, scored by
 /// the ground truth at its end, its motions checked on the way. `script`: of
@@ -25,4 +25,4 @@ nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
 bool HasKeptLimits(const nlohmann::json& row);
 bool HasHitNothing(const nlohmann::json& row);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 
 #include "common/geometry/pose.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Eigen::Isometry3d;
@@ -80,4 +80,4 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
   return score;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

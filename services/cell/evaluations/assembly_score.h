@@ -8,7 +8,7 @@
 #include "common/parts/part_table.h"
 #include "services/vtb/script.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What has been put together, by the ground truth over all parts: the one
 /// place that says what success is. A site counts when a part of the right
@@ -28,4 +28,4 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
                             const truth_poses_t& now, const PartTable& parts,
                             const DemonstratorBook& book);
 
-}  // namespace cell
+}  // namespace cell::cli

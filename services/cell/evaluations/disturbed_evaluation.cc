@@ -7,7 +7,7 @@
 #include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -94,4 +94,4 @@ std::unique_ptr<Evaluation> MakeDisturbedEvaluation() {
   return std::make_unique<DisturbedEvaluation>();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 
 #include "services/cell/evaluations/evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The cell assembles by itself while a person disturbs it (section IX-C).
 /// Troubles that the cell can get over by itself must not keep it from its
@@ -12,4 +12,4 @@ namespace cell {
 /// that is missing.
 std::unique_ptr<Evaluation> MakeDisturbedEvaluation();
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -5,7 +5,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 template <class M>
@@ -56,4 +56,4 @@ void EpisodeObserver::Put(const Message& message) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -19,7 +19,7 @@
 #include "common/bus/message.h"
 #include "services/cell/evaluations/pose_looks.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What an episode came to, for scorers and summaries: collected from all its
 /// messages. Reads ground truth, so no service may use it.
@@ -52,4 +52,4 @@ class EpisodeObserver {
   bool has_begun_ = false;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // A placement is seen within the tracker's period and the SEC's fixed lag of
@@ -138,4 +138,4 @@ EpisodeScore Score(const EpisodeRecord& record) {
   return score;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 
 #include "services/cell/evaluations/episode_observer.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// How well the cell understood what a person did, against ground truth.
 struct EpisodeScore {
@@ -26,4 +26,4 @@ struct EpisodeScore {
 
 EpisodeScore Score(const EpisodeRecord& record);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include "services/cell/evaluations/stops_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
@@ -18,4 +18,4 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   return all;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

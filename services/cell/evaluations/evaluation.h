@@ -11,7 +11,7 @@
 #include "common/config/deployment.h"
 #include "services/cell/evaluations/interval.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// One figure of an evaluation, beside the paper's and the goal.
 struct Measure {
@@ -62,4 +62,4 @@ class Evaluation {
 /// Everything that `cell eval` knows.
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations();
 
-}  // namespace cell
+}  // namespace cell::cli

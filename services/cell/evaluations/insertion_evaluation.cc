@@ -15,7 +15,7 @@
 #include "services/cell/running/sim_run.h"
 #include "services/robot_arm/robot_arm.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -193,4 +193,4 @@ std::unique_ptr<Evaluation> MakeInsertionEvaluation() {
   return std::make_unique<InsertionEvaluation>();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

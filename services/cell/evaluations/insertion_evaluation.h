@@ -4,10 +4,10 @@
 
 #include "services/cell/evaluations/evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Single insertions although the arm is wrong about where the site is (section
 /// VIII-B), with the search and, for comparison, without.
 std::unique_ptr<Evaluation> MakeInsertionEvaluation();
 
-}  // namespace cell
+}  // namespace cell::cli

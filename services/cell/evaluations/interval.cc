@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cell {
+namespace cell::cli {
 
 Interval WilsonInterval(int num_good, int num_all) {
   if (num_all <= 0) return {};
@@ -16,4 +16,4 @@ Interval WilsonInterval(int num_good, int num_all) {
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

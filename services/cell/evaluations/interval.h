@@ -1,6 +1,6 @@
 #pragma once
 
-namespace cell {
+namespace cell::cli {
 
 struct Interval {
   double low = 0;
@@ -11,4 +11,4 @@ struct Interval {
 /// trials are known; [0, 1] for none.
 Interval WilsonInterval(int num_good, int num_all);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -12,7 +12,7 @@
 #include <iostream>
 #include <system_error>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 struct Worker {
@@ -100,4 +100,4 @@ void RunJobs(const std::vector<size_t>& indices, int num_processes,
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

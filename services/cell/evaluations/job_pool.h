@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// Runs `job(i)` for every i of `indices` in processes of their own, at most
 /// `num_processes` at a time; `done(i, result)` hears each result as it comes,
@@ -14,4 +14,4 @@ void RunJobs(const std::vector<size_t>& indices, int num_processes,
              const std::function<std::string(size_t)>& job,
              const std::function<void(size_t, const std::string&)>& done);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 
 #include "cell/truth_poses_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 
 /// The last poses of an episode and earlier ones, far enough apart to tell what
 /// rests. Times that only a message claims may be anything: looks that are not
@@ -38,4 +38,4 @@ class PoseLooks {
   std::deque<truth_poses_t> looks_;  // utimes rise
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -1,6 +1,6 @@
 #include "services/cell/evaluations/row_measures.h"
 
-namespace cell {
+namespace cell::cli {
 
 using nlohmann::json;
 
@@ -28,4 +28,4 @@ Measure RunsOf(const std::vector<json>& rows, const std::string& group,
   return measure;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 
 #include "services/cell/evaluations/evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Measures over the rows of a group, named "<group>: <what>".
 ///
@@ -20,4 +20,4 @@ Measure RunsOf(const std::vector<nlohmann::json>& rows,
                const std::string& group, const std::string& what,
                const std::function<bool(const nlohmann::json&)>& is_good);
 
-}  // namespace cell
+}  // namespace cell::cli

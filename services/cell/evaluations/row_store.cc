@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace cell {
+namespace cell::cli {
 
 RowStore::RowStore(std::filesystem::path path, bool is_resumed)
     : path_(std::move(path)) {
@@ -40,4 +40,4 @@ void RowStore::Append(const std::string& key, const nlohmann::json& row) {
   rows_[key] = std::move(keyed);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

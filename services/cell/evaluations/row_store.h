@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// The rows of an evaluation, one JSON object a line, appended as they come, so
 /// that a cut evaluation can go on. Storage adapter.
@@ -27,4 +27,4 @@ class RowStore {
   std::map<std::string, nlohmann::json> rows_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include "cell/motion_permit_t.hpp"
 #include "cell/skill_request_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr int32_t kFirstTick = 60;  // tracks have come, the arms have spoken
@@ -68,4 +68,4 @@ void SkillDriver::Ask(const Wish& wish) {
   bus_.Publish("SKILL_REQUEST", request);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Stands in for planner and supervisor where single skills are tried: lets the
 /// arms move and asks for one skill after the other, then says that the task is
@@ -40,4 +40,4 @@ class SkillDriver final : public Service {
   int64_t id_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -8,7 +8,7 @@
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -118,4 +118,4 @@ std::unique_ptr<Evaluation> MakeWatchEvaluation() {
   return std::make_unique<WatchEvaluation>();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -8,7 +8,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/event_log.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // Puts payloads, which come in the order of the log, into that of the audit.
@@ -78,4 +78,4 @@ int64_t WriteCanonicalLog(const LogIndex& index, const LogAudit& audit,
   return static_cast<int64_t>(audit.kept.size());
 }
 
-}  // namespace cell
+}  // namespace cell::cli

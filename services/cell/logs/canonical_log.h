@@ -5,7 +5,7 @@
 #include "services/cell/logs/log_audit.h"
 #include "services/cell/logs/log_index.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Writes what an audit keeps, in the recorder's form: by tick, channel,
 /// sender, seq, with sim stamps, TICKs without run and nonces. Of a log without
@@ -15,4 +15,4 @@ namespace cell {
 int64_t WriteCanonicalLog(const LogIndex& index, const LogAudit& audit,
                           const std::filesystem::path& out);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::cli {
 
 void ChannelDigests::Put(const tick_t& manifest) {
   for (const flow_t& flow : manifest.flows) {
@@ -29,4 +29,4 @@ std::vector<std::string> ChannelDigests::Lines() const {
   return lines;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 
 #include "cell/tick_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 
 /// One digest per channel of a run, over all its messages in order, taken from
 /// the manifests: two runs are the same exactly if these are.
@@ -21,4 +21,4 @@ class ChannelDigests {
   std::map<std::string, uint64_t> digests_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

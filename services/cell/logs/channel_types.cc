@@ -38,7 +38,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "cell/wrench_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 template <class M>
@@ -102,4 +102,4 @@ std::optional<ChannelType> TypeOfChannel(const std::string& channel) {
   return it->second;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

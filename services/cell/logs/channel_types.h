@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 struct ChannelType {
   std::string name;  ///< e.g. "tracks_t"
@@ -15,4 +15,4 @@ struct ChannelType {
 /// channel that is not the cell's.
 std::optional<ChannelType> TypeOfChannel(const std::string& channel);
 
-}  // namespace cell
+}  // namespace cell::cli

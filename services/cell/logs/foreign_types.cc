@@ -9,7 +9,7 @@
 
 #include "services/cell/logs/channel_types.h"
 
-namespace cell {
+namespace cell::cli {
 
 std::vector<LogFinding> FindForeignTypes(const LogIndex& index,
                                          bool has_manifests) {
@@ -41,4 +41,4 @@ std::vector<LogFinding> FindForeignTypes(const LogIndex& index,
   return findings;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

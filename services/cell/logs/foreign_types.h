@@ -5,7 +5,7 @@
 #include "services/cell/logs/log_finding.h"
 #include "services/cell/logs/log_index.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The cell's channels on which a log holds messages of other types than this
 /// program's: one finding for each channel and fingerprint. With manifests, a
@@ -13,4 +13,4 @@ namespace cell {
 std::vector<LogFinding> FindForeignTypes(const LogIndex& index,
                                          bool has_manifests);
 
-}  // namespace cell
+}  // namespace cell::cli

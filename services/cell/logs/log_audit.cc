@@ -13,7 +13,7 @@
 #include "services/cell/logs/foreign_types.h"
 #include "services/cell/logs/log_frames.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 bool IsOfProtocol(const LogEntry& entry) {
@@ -236,4 +236,4 @@ LogAudit AuditLog(const LogIndex& index) {
   return Auditor(index).Audit();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

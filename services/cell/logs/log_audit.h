@@ -11,7 +11,7 @@
 #include "services/cell/logs/log_index.h"
 #include "services/cell/logs/manifest_chain.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// An event of the canonical log: an entry, or a TICK that was rebuilt.
 struct KeptEvent {
@@ -43,4 +43,4 @@ struct LogAudit {
 /// cell's message types. Pure.
 LogAudit AuditLog(const LogIndex& index);
 
-}  // namespace cell
+}  // namespace cell::cli

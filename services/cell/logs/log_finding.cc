@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace cell {
+namespace cell::cli {
 
 std::string ToString(const LogFinding& finding) {
   std::string text;
@@ -15,4 +15,4 @@ std::string ToString(const LogFinding& finding) {
   return text + finding.text;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

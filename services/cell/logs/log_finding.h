@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// Something wrong with a log, and where.
 struct LogFinding {
@@ -18,4 +18,4 @@ struct LogFinding {
 /// "cell-0001.lcmlog byte 5132 (97 bytes): tick 13: SUM: ..."
 std::string ToString(const LogFinding& finding);
 
-}  // namespace cell
+}  // namespace cell::cli

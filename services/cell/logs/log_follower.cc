@@ -4,7 +4,7 @@
 
 #include "common/bus/run_log.h"
 
-namespace cell {
+namespace cell::cli {
 
 std::optional<Message> LogFollower::Next() {
   while (reader_ || OpenNext()) {
@@ -24,4 +24,4 @@ bool LogFollower::OpenNext() {
   return true;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 #include "common/bus/event_log.h"
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Reads a run's logs while they are written, one after the other. Storage
 /// adapter.
@@ -27,4 +27,4 @@ class LogFollower {
   std::optional<EventLogReader> reader_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

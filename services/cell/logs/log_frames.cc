@@ -9,7 +9,7 @@
 
 #include "common/bus/bus.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // Which events a damage has cost, by the numbers of its neighbours.
@@ -87,4 +87,4 @@ std::vector<LogFinding> FindOddFrames(const LogIndex& index,
   return findings;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include "services/cell/logs/log_finding.h"
 #include "services/cell/logs/log_index.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Bytes in which no event begins, with the numbers of the events that they
 /// have cost; of a canonical log also the numbers and stamps that are not as
@@ -16,4 +16,4 @@ std::vector<LogFinding> FindOddFrames(const LogIndex& index, bool is_canonical);
 /// Something about one entry.
 LogFinding FindingAt(const LogIndex& index, size_t entry, std::string text);
 
-}  // namespace cell
+}  // namespace cell::cli

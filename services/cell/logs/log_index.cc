@@ -7,7 +7,7 @@
 
 #include "cell/tick_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr int64_t kEventHeaderSize = 28;
@@ -75,4 +75,4 @@ void ReadPayloads(
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

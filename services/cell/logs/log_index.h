@@ -8,7 +8,7 @@
 #include "common/bus/event_log.h"
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What an event of a log says of itself, without its payload.
 struct LogEntry {
@@ -44,4 +44,4 @@ void ReadPayloads(
     const LogIndex& index,
     const std::function<void(size_t entry, const Bytes& bytes)>& handler);
 
-}  // namespace cell
+}  // namespace cell::cli

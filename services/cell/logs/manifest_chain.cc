@@ -10,7 +10,7 @@
 #include "common/bus/decode.h"
 #include "common/bus/manifest.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Candidates = std::map<int32_t, std::vector<ManifestLink>>;
@@ -174,4 +174,4 @@ std::map<int32_t, ManifestLink> FindManifests(const LogIndex& index) {
   return ChainFinder(index).Find();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -8,7 +8,7 @@
 #include "cell/tick_t.hpp"
 #include "services/cell/logs/log_index.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// A TICK of a log that can be believed as far as the log allows.
 struct ManifestLink {
@@ -28,4 +28,4 @@ struct ManifestLink {
 /// sound, and taken as guessed if it differs from that in a single byte. Pure.
 std::map<int32_t, ManifestLink> FindManifests(const LogIndex& index);
 
-}  // namespace cell
+}  // namespace cell::cli

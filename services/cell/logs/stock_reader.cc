@@ -11,7 +11,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <system_error>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 void Require(bool is_done, const char* step) {
@@ -69,4 +69,4 @@ StockReading ReadAsStockToolsDo(const std::filesystem::path& log) {
   return reading;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// What LCM's own log reader returns of a file.
 struct StockReading {
@@ -17,4 +17,4 @@ struct StockReading {
 /// @throws std::system_error if no child can be started.
 StockReading ReadAsStockToolsDo(const std::filesystem::path& log);
 
-}  // namespace cell
+}  // namespace cell::cli

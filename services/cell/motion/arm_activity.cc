@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Phases = std::set<std::string>;
@@ -42,4 +42,4 @@ bool ArmActivity::IsHeldAtTable() const {
   return kAtTable.contains(phase_);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 #include "cell/arm_report_t.hpp"
 #include "cell/skill_request_t.hpp"
 
-namespace cell {
+namespace cell::cli {
 
 /// What one arm is at, by what it was asked and what it reports: decides what
 /// its hand and the part in it may touch.
@@ -38,4 +38,4 @@ class ArmActivity {
   std::string phase_, held_, grasped_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

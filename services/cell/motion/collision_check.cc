@@ -5,7 +5,7 @@
 #include "common/arms/arm_bodies.h"
 #include "common/geometry/pose.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // [m] Nearer is touching: contacts in the physics are as deep as that.
@@ -148,4 +148,4 @@ bool CollisionCheck::IsInPersonsHand(size_t part) const {
   return false;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -12,7 +12,7 @@
 #include "common/parts/part_table.h"
 #include "services/cell/motion/arm_activity.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Which bodies of arms, hands and held parts touch what they must not: any
 /// contact but the grasp and the intended insertion. Persons' hands do not
@@ -66,4 +66,4 @@ class CollisionCheck {
   std::vector<Touch> touches_;  // of this look
 };
 
-}  // namespace cell
+}  // namespace cell::cli

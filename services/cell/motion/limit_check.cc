@@ -9,7 +9,7 @@
 #include "common/bus/bus.h"
 #include "common/kinematics/joint_values.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using Kind = Violation::Kind;
@@ -99,4 +99,4 @@ void LimitCheck::Restart() {
   is_stopped_ = false;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

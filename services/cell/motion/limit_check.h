@@ -10,7 +10,7 @@
 #include "common/layout/arm_layout.h"
 #include "services/cell/motion/violation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Whether one arm stays within its limits: of joint angles, joint speeds, what
 /// can be followed from tick to tick, and its workspace.
@@ -39,4 +39,4 @@ class LimitCheck {
   int num_stops_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -9,7 +9,7 @@
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
 
-namespace cell {
+namespace cell::cli {
 
 MotionCheck::MotionCheck(const CellLayout& layout, const PartTable& parts)
     : collisions_(layout, parts) {
@@ -118,4 +118,4 @@ int MotionCheck::num_protective_stops() const {
   return num;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -17,7 +17,7 @@
 #include "services/cell/motion/limit_check.h"
 #include "services/cell/motion/violation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Whether the arms of a run have kept their limits and hit nothing, from its
 /// messages. An arm that stands still has not hit what a person's hand brings
@@ -56,4 +56,4 @@ class MotionCheck {
   std::vector<Violation> violations_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// What an arm must not do, done.
 struct Violation {
@@ -40,4 +40,4 @@ inline const char* NameOf(Violation::Kind kind) {
   return "";
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::cli {
 
 RgbImage GreyOfDepth(const DepthImage& depth) {
   int nearest = 65535;
@@ -26,4 +26,4 @@ RgbImage GreyOfDepth(const DepthImage& depth) {
   return picture;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

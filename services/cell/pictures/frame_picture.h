@@ -2,10 +2,10 @@
 
 #include "common/imaging/rgbd_frame.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What a frame has measured, as grey: the nearer, the brighter, from the
 /// furthest to the nearest in the picture; black where nothing was measured.
 RgbImage GreyOfDepth(const DepthImage& depth);
 
-}  // namespace cell
+}  // namespace cell::cli

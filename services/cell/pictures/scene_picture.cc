@@ -11,7 +11,7 @@
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 Camera CameraAt(const Viewpoint& view) {
@@ -55,4 +55,4 @@ std::map<std::string, int> DrawScene(const Deployment& deployment,
   return num_pixels;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -8,7 +8,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/config/deployment.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// From where and how a picture of the cell is taken.
 struct Viewpoint {
@@ -29,4 +29,4 @@ std::map<std::string, int> DrawScene(const Deployment& deployment,
                                      const Viewpoint& viewpoint,
                                      const std::filesystem::path& path);
 
-}  // namespace cell
+}  // namespace cell::cli

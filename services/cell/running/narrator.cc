@@ -15,7 +15,7 @@
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr double kSecond = 1e6;
@@ -238,4 +238,4 @@ std::vector<std::string> Narrator::TellEpisode(const Message& message) {
                        episode->seed))};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

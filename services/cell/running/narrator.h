@@ -8,7 +8,7 @@
 
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Tells what happens in a cell in plain words: key frames, recognised actions,
 /// predicates that changed, the plan, what arms do, alerts. Pure: messages in
@@ -34,4 +34,4 @@ class Narrator {
   std::string hold_reason_;  // last told
 };
 
-}  // namespace cell
+}  // namespace cell::cli

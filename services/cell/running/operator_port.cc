@@ -5,7 +5,9 @@
 #include <optional>
 #include <stdexcept>
 
-namespace cell {
+#include "common/node/number_option.h"
+
+namespace cell::cli {
 namespace {
 
 // The cell's time now, from what is said in every tick: TICK in lockstep,
@@ -37,7 +39,7 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
   command
       .add_option("--deadline", options->deadline_s,
                   "not executed later than so many seconds of the cell's time")
-      ->check(CLI::Range(0., 3600.))
+      ->check(NumberIn(0., 3600.))
       ->capture_default_str();
 }
 
@@ -46,4 +48,4 @@ OperatorPort::OperatorPort(const OperatorOptions& options)
       utime_(AwaitTick(options.address.Get().MainUrl())),
       deadline_utime_(utime_ + std::llround(options.deadline_s * 1e6)) {}
 
-}  // namespace cell
+}  // namespace cell::cli

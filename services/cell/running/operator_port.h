@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace cell {
+namespace cell::cli {
 
 /// How an operator's word reaches the clock, and until when it counts.
 struct OperatorOptions {
@@ -47,4 +47,4 @@ class OperatorPort {
   int64_t deadline_utime_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-namespace cell {
+namespace cell::cli {
 
 std::vector<std::string> OutputFollower::TakeLines() {
   std::vector<std::string> lines;
@@ -21,4 +21,4 @@ std::vector<std::string> OutputFollower::TakeLines() {
   return lines;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

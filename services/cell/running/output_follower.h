@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// Reads text files while they are written. Storage adapter.
 class OutputFollower {
@@ -23,4 +23,4 @@ class OutputFollower {
   std::vector<File> files_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 // In the child, between fork and exec: only calls that are safe there.
@@ -112,4 +112,4 @@ int64_t ProcessGroup::ResidentBytes() const {
   return pages * sysconf(_SC_PAGESIZE);
 }
 
-}  // namespace cell
+}  // namespace cell::cli

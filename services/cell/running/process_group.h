@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// The processes of a cell under one launcher: starts them, sees them die,
 /// names why. They die with the launcher. (systemd is the way to run a cell;
@@ -44,4 +44,4 @@ class ProcessGroup {
   std::map<std::string, pid_t> pids_;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

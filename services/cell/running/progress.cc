@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-namespace cell {
+namespace cell::cli {
 
 Progress::Progress()
     : is_terminal_(isatty(STDERR_FILENO) == 1),
@@ -33,4 +33,4 @@ double Progress::ElapsedSeconds() const {
       .count();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

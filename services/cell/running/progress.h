@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// One line on a terminal that says how far long work has come; silent where
 /// nobody watches. Device adapter.
@@ -27,4 +27,4 @@ class Progress {
   std::chrono::steady_clock::time_point last_{};
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,6 +16,41 @@ Deployment DeploymentIn(const fs::path& run, const std::string& task) {
           .task_dir = run / "deploy" / "tasks" / task,
           .types_dir = run / "lcmtypes",
           .run_dir = run};
+}
+
+/// The folder of recorded frames that play if it lies outside the task's, of
+/// which a run has a copy anyway; else empty.
+/// @throws ConfigError if it is not there.
+fs::path FramesElsewhere(const Deployment& source) {
+  const fs::path file = source.config_dir / "camera_set.yaml";
+  if (!fs::exists(file)) return {};
+  const Config config = Config::Load(file);
+  if (config.Get<std::string>("device") != "recorded") return {};
+  const Config folder = config["recorded"]["folder"];
+  const fs::path named = folder.As<std::string>();
+  const fs::path path = source.task_dir / named;
+  if (!fs::is_directory(path)) {
+    folder.Fail("there is no folder " + path.string());
+  }
+  const fs::path normal = named.lexically_normal();
+  const bool is_of_task = normal.is_relative() && *normal.begin() != "..";
+  return is_of_task ? fs::path() : path;
+}
+
+/// Copies them into the copy of the task's folder, where the copy of the
+/// configuration finds them then.
+void KeepFrames(const fs::path& frames, const Deployment& deployment) {
+  std::string name = "recorded";
+  while (fs::exists(deployment.task_dir / name)) name += "_frames";
+  fs::copy(frames, deployment.task_dir / name, fs::copy_options::recursive);
+  const fs::path file = deployment.config_dir / "camera_set.yaml";
+  YAML::Node node = YAML::LoadFile(file.string());
+  node["recorded"]["folder"] = name;
+  std::ofstream stream(file);
+  stream << node << "\n";
+  if (!stream.flush()) {
+    throw std::runtime_error(file.string() + ": cannot be written");
+  }
 }
 
 }  // namespace
@@ -43,12 +78,14 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
     throw std::runtime_error(run.path.string() +
                              ": exists and is not empty; choose another --out");
   }
+  const fs::path frames = FramesElsewhere(source);
   const std::string task = source.task_dir.filename().string();
   run.deployment = DeploymentIn(run.path, task);
   fs::create_directories(run.deployment.task_dir.parent_path());
   constexpr auto kDeep = fs::copy_options::recursive;
   fs::copy(source.config_dir, run.deployment.config_dir, kDeep);
   fs::copy(source.task_dir, run.deployment.task_dir, kDeep);
+  if (!frames.empty()) KeepFrames(frames, run.deployment);
   if (fs::is_directory(source.types_dir)) {
     fs::create_directories(run.deployment.types_dir);
     for (const auto& entry : fs::directory_iterator(source.types_dir)) {
@@ -118,4 +155,4 @@ RunFolder RunFolder::Open(const std::string& path) {
   return run;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

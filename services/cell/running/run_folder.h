@@ -7,7 +7,7 @@
 #include "common/bus/roster.h"
 #include "common/config/deployment.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// A folder that holds everything a run needs to be repeated and replayed: its
 /// log, the configuration and task it ran with, the texts of its message types
@@ -45,4 +45,4 @@ std::filesystem::path FreeRunFolder(const std::filesystem::path& runs,
 void PointTo(const std::filesystem::path& run,
              const std::filesystem::path& link);
 
-}  // namespace cell
+}  // namespace cell::cli

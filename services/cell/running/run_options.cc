@@ -3,14 +3,17 @@
 #include <CLI/CLI.hpp>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
+#include "services/cell/running/task_check.h"
 
-namespace cell {
+namespace cell::cli {
 
 void RunOptions::AddTo(CLI::App& command) {
   command.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
   command.add_option("--demonstration", demonstration,
                      "script of the task's demonstrators.yaml");
   command.add_option("--seed", seed, "where all chance comes from")
+      ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command.add_option("--out", out, "run folder (default: runs/...)");
   command
@@ -30,6 +33,7 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   if (!help_steps.empty() && episodes.empty()) {
     episodes = "assembly+execution_helped";
   }
+  CheckTask(files, episodes);
   RunFolder run =
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
@@ -37,4 +41,4 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   return run;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

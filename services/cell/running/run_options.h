@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace cell {
+namespace cell::cli {
 
 /// What `cell demo` and `cell sim` are asked for alike.
 struct RunOptions {
@@ -27,4 +27,4 @@ struct RunOptions {
   RunFolder CreateFolder(const std::string& kind) const;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

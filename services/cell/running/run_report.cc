@@ -13,7 +13,7 @@
 #include "services/cell/evaluations/episode_score.h"
 #include "services/cell/pictures/scene_picture.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 double SimSeconds(int32_t tick) {
@@ -172,4 +172,4 @@ int RunReport::Finish() {
   return result;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -10,7 +10,7 @@
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Tells on the terminal what a run does, from its log as it grows, and sums it
 /// up. With `is_hash` it says nothing but the digests of the channels.
@@ -41,4 +41,4 @@ class RunReport {
   int32_t tick_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -17,7 +17,7 @@
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 
-namespace cell {
+namespace cell::cli {
 
 std::map<std::string, ServiceFactory> AllServices(
     const Deployment& deployment, const std::string& demonstration,
@@ -65,4 +65,4 @@ std::map<std::string, ServiceFactory> AllServices(
   return factories;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -7,7 +7,7 @@
 #include "common/bus/clock_host.h"
 #include "common/config/deployment.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Every service of the cell, built from `deployment`; the clock's does the
 /// task's script `demonstration` with `seed`. For one run in one process, or
@@ -16,4 +16,4 @@ std::map<std::string, ServiceFactory> AllServices(
     const Deployment& deployment, const std::string& demonstration,
     uint64_t seed);
 
-}  // namespace cell
+}  // namespace cell::cli

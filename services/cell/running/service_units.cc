@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr char kProperties[] =
@@ -103,4 +103,4 @@ std::string ServiceManager::Run(const std::string& arguments) const {
       fmt::format("systemctl {}: {}{}", arguments, output, help));
 }
 
-}  // namespace cell
+}  // namespace cell::cli

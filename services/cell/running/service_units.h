@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 
 /// One of the cell's units as systemd sees it.
 struct ServiceUnit {
@@ -44,4 +44,4 @@ class ServiceManager {
 /// between. Blocks without Id are left out.
 std::vector<ServiceUnit> ParseUnits(const std::string& text);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -6,7 +6,7 @@
 
 #include "common/bus/sim_bus.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// Runs to the end, and shows every message in canonical order.
 inline void RunToEnd(SimBus& bus,
@@ -18,4 +18,4 @@ inline void RunToEnd(SimBus& bus,
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 
 #include "common/node/cell_files.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr char kInstall[] = "apt-get install -y --no-install-recommends ";
@@ -78,4 +78,4 @@ std::vector<std::string> SpyCommand(const SpyParts& parts,
           "--lcm-url=" + lcm_url};
 }
 
-}  // namespace cell
+}  // namespace cell::cli

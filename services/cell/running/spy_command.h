@@ -5,7 +5,7 @@
 
 #include "services/cell/doctor/machine.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What lcm-spy needs. Debian's own wrapper fails with Java 17.
 struct SpyParts {
@@ -31,4 +31,4 @@ SpyParts FindSpyParts(const Machine& machine, const std::string& root,
 std::vector<std::string> SpyCommand(const SpyParts& parts,
                                     const std::string& lcm_url);
 
-}  // namespace cell
+}  // namespace cell::cli

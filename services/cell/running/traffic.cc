@@ -4,7 +4,7 @@
 
 #include "common/bus/decode.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 /// More channels or services than any cell has are somebody's forgeries.
@@ -108,4 +108,4 @@ Traffic::Report Traffic::Take(double seconds) {
   return report;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -11,7 +11,7 @@
 #include "common/bus/arrivals.h"
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// What passes on a cell's bus and how its services fare, for `cell top`. Pure:
 /// whoever watches says how long a period lasted.
@@ -71,4 +71,4 @@ class Traffic {
   int64_t num_foreign_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::cli
