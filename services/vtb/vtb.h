@@ -8,6 +8,7 @@
 #include "cell/command_episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
 #include "services/vtb/arm_device.h"
 #include "services/vtb/bystander.h"
@@ -50,10 +51,12 @@ class Vtb : public Service {
     Request request;
   };
 
-  bool OnCommand(const command_episode_t& message);
+  CommandAnswer OnCommand(const command_episode_t& message);
   bool OnExecution(const execution_t& message);
   void OnTick();
   void Prepare(const Request& request);
+  CommandAnswer EndByCommand();
+  CommandAnswer StartByCommand(const Request& request);
   void EndOrGoOn();
   void PublishEpisode(int8_t phase);
   void PublishTruth();

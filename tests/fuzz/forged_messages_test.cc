@@ -15,6 +15,7 @@
 #include "cell/ack_t.hpp"
 #include "cell/action_record_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -154,6 +155,10 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     alert_t alert{};
     alert.text = "the way to the goal has become longer";
     samples["ALERT"] = {Bus::Encode(alert)};
+    answer_t answer{};
+    answer.channel = "COMMAND_GOAL";
+    answer.text = "the task has no such goal";
+    samples["ANSWER"] = {Bus::Encode(answer)};
     hello_t hello{};
     hello.name = "tracker";
     hello.nonce = 1;
@@ -339,7 +344,7 @@ INSTANTIATE_TEST_SUITE_P(
     AllChannels, ForgedMessages,
     testing::Values("EPISODE", "COMMAND_EPISODE", "TRUTH_POSES",
                     "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS", "KEY_FRAME",
-                    "ACTION", "PREDICATES", "PLAN", "ALERT", "STATUS",
+                    "ACTION", "PREDICATES", "PLAN", "ALERT", "ANSWER", "STATUS",
                     "COMMAND_GOAL", "COMMAND_MODE", "MOTION_PERMIT", "MODE",
                     "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
                     "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
