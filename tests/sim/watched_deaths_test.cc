@@ -66,25 +66,26 @@ class WatchedCell {
   int num_unseen_ = 0;
 };
 
+const WatchedCell& Undisturbed() {
+  static const WatchedCell cell;
+  return cell;
+}
+
 TEST(WatchedDeaths, WithoutOneEveryPlacementIsRecognisedAndNothingUnseen) {
-  const WatchedCell cell;
-  ASSERT_EQ(cell.placements().size(), 2u);
-  for (const auto& placement : cell.placements()) {
-    EXPECT_THAT(cell.told(), HasSubstr(placement.part));
+  ASSERT_EQ(Undisturbed().placements().size(), 2u);
+  for (const auto& placement : Undisturbed().placements()) {
+    EXPECT_THAT(Undisturbed().told(), HasSubstr(placement.part));
   }
-  EXPECT_EQ(cell.num_unseen(), 0) << cell.told();
+  EXPECT_EQ(Undisturbed().num_unseen(), 0) << Undisturbed().told();
 }
 
 // The recognizer misses a placement; whoever knew of it dies, too.
 TEST(WatchedDeaths, OfTheRecognizerAndThenThePlannerLeaveNothingUntold) {
-  const auto placements = WatchedCell().placements();
-  for (const auto& placement : placements) {
-    const int32_t t = placement.tick;
-    const WatchedCell cell(
-        {{"recognizer", t - 60, t + 40}, {"planner", t + 60, t + 90}});
-    for (const auto& each : placements) {
-      EXPECT_THAT(cell.told(), HasSubstr(each.part)) << "deaths at tick " << t;
-    }
+  const int32_t tick = Undisturbed().placements().front().tick;
+  const WatchedCell cell({{"recognizer", tick - 60, tick + 40},
+                          {"planner", tick + 60, tick + 90}});
+  for (const auto& placement : Undisturbed().placements()) {
+    EXPECT_THAT(cell.told(), HasSubstr(placement.part));
   }
 }
 
