@@ -33,8 +33,8 @@ Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
   bus_.SubscribeBytes("TICK", 1, [this](auto bytes) { return OnTick(bytes); });
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
-  bus_.Subscribe<library_request_t>(
-      "LIBRARY_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  AnswerCommands<library_request_t>(
+      bus_, "LIBRARY_REQUEST", [this](const auto& m) { return OnRequest(m); });
   bus_.Subscribe<action_record_t>("STORE_REQUEST",
                                   [this](const auto& m) { OnStoreRequest(m); });
 }
@@ -63,14 +63,19 @@ bool Library::OnEpisode(const episode_t& message) {
          message.phase <= episode_t::RUNNING;
 }
 
-bool Library::OnRequest(const library_request_t& message) {
+CommandAnswer Library::OnRequest(const library_request_t& message) {
   if (message.id == 0) {
     PublishAll(message.header.utime);
-    return true;
+    return CommandAnswer::Accept("all actions follow on ACTION_RECORD");
   }
   const auto record = store_->Find(message.id);
-  if (record) Publish(*record, message.header.utime);
-  return record.has_value();
+  if (!record) {
+    return CommandAnswer::Refuse("the library has no action with id " +
+                                 std::to_string(message.id) +
+                                 " (cell library list)");
+  }
+  Publish(*record, message.header.utime);
+  return CommandAnswer::Accept(record->name + " follows on ACTION_RECORD");
 }
 
 void Library::OnStoreRequest(const action_record_t& message) {

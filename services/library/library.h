@@ -8,6 +8,7 @@
 #include "cell/episode_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
 #include "services/library/action_store.h"
 #include "services/library/record_check.h"
@@ -29,7 +30,7 @@ class Library final : public Service {
  private:
   bool OnTick(std::span<const uint8_t> bytes);
   bool OnEpisode(const episode_t& message);
-  bool OnRequest(const library_request_t& message);
+  CommandAnswer OnRequest(const library_request_t& message);
   void OnStoreRequest(const action_record_t& message);
   void Publish(const ActionRecord& record, int64_t utime);
   void PublishAll(int64_t utime);

@@ -16,6 +16,8 @@ namespace {
 
 /// Ticks between two looks for what nobody has recognised.
 constexpr int32_t kTellPeriod = 125;
+/// [us] What was done in an episode has been recognised so long after its end.
+constexpr int64_t kLastWordsUs = 500'000;
 
 std::optional<Agent> FindAgent(const std::string& name) {
   if (name == "person") return Agent::kPerson;
@@ -103,7 +105,7 @@ Planner::Planner(Bus& bus, Params params)
     : bus_(bus), params_(std::move(params)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
-  bus_.Subscribe<command_goal_t>("COMMAND_GOAL",
+  AnswerCommands<command_goal_t>(bus_, "COMMAND_GOAL",
                                  [this](const auto& m) { return OnGoal(m); });
   bus_.Subscribe<operating_mode_t>("MODE",
                                    [this](const auto& m) { return OnMode(m); });
@@ -122,11 +124,14 @@ Planner::Planner(Bus& bus, Params params)
         [this, name](const auto& m) { return OnReport(name, m); });
   }
   bus_.Every(1, 0, [this] { Decide(); });  // after all messages
-  bus_.Every(kTellPeriod, 0, [this] { TellUnseen(); });
+  bus_.Every(1, 0, [this] { EndUnseen(); });
+  bus_.Every(kTellPeriod, 0, [this] { LookForUnseen(); });
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::END) {
+    is_running_ = false;
+    end_utime_ = bus_.now();
     executor_.reset();
     return true;
   }
@@ -136,6 +141,9 @@ bool Planner::OnEpisode(const episode_t& message) {
       message.phase != episode_t::RUNNING) {
     return false;
   }
+  is_running_ = true;
+  end_utime_.reset();
+  if (unseen_) TellUnseen(unseen_->TakeAll());
   monitor_.reset();
   unseen_.reset();
   executor_.reset();
@@ -152,44 +160,57 @@ bool Planner::OnEpisode(const episode_t& message) {
                  message.agent + "'");
     return true;
   }
-  const Goal* goal = FindGoal(message.goal);
-  if (goal == nullptr) return true;
-  Begin(*agent, *goal,
-        message.phase == episode_t::START ? message.header.utime : 0);
+  const Goal* goal = params_.domain.FindGoal(message.goal);
+  if (goal == nullptr) {
+    Complain(alert_t::BAD_INPUT, NoGoal(message.goal));
+    return true;
+  }
+  Begin(*agent, *goal, message);
   return true;
 }
 
-void Planner::Begin(Agent agent, const Goal& goal, int64_t utime) {
-  start_utime_ = utime;
+void Planner::Begin(Agent agent, const Goal& goal, const episode_t& episode) {
+  const bool has_joined_late = episode.phase == episode_t::RUNNING;
+  start_utime_ = has_joined_late ? 0 : episode.header.utime;
   if (agent == Agent::kRobot) {
     executor_.emplace(params_.domain, goal, params_.executor, bus_.now());
     executor_->Permit(may_act_);
     return;
   }
+  Watch(goal);
+  unseen_.emplace(params_.domain, params_.unseen, has_joined_late);
+  // There may be no further key frame.
+  if (has_joined_late) RequestSense();
+}
+
+void Planner::Watch(const Goal& goal) {
   monitor_.emplace(PlanSearch(params_.domain, goal, params_.search),
                    params_.monitor);
-  unseen_.emplace(params_.domain, params_.unseen);
 }
 
-bool Planner::OnGoal(const command_goal_t& message) {
-  if (bus_.now() > message.deadline_utime) return false;
-  const Goal* goal = FindGoal(message.goal);
-  if (goal == nullptr) return false;
-  if (executor_) executor_->Pursue(*goal);
-  if (!monitor_) return true;
-  Begin(Agent::kPerson, *goal, start_utime_);
+void Planner::RequestSense() {
   bus_.Publish("SENSE_REQUEST", sense_request_t{{bus_.now(), 0, 0, 0}});
-  return true;
 }
 
-/// Complains if there is none.
-const Goal* Planner::FindGoal(const std::string& name) {
-  const Goal* goal = params_.domain.FindGoal(name);
-  if (goal != nullptr) return goal;
+CommandAnswer Planner::OnGoal(const command_goal_t& message) {
+  const Goal* goal = params_.domain.FindGoal(message.goal);
+  if (goal == nullptr) return CommandAnswer::Refuse(NoGoal(message.goal));
+  if (!is_running_ || !(executor_ || monitor_)) {
+    return CommandAnswer::Refuse(
+        "no episode runs that could have another goal (cell episode start)");
+  }
+  if (executor_) executor_->Pursue(*goal);
+  if (monitor_) {
+    Watch(*goal);
+    RequestSense();
+  }
+  return CommandAnswer::Accept("the episode's goal is now " + goal->name);
+}
+
+std::string Planner::NoGoal(const std::string& name) const {
   std::string text = "The task has no goal '" + name + "', but:";
   for (const Goal& known : params_.domain.goals()) text += " " + known.name;
-  Complain(alert_t::BAD_INPUT, text);
-  return nullptr;
+  return text;
 }
 
 bool Planner::OnMode(const operating_mode_t& message) {
@@ -245,9 +266,7 @@ void Planner::Decide() {
     message.header.utime = bus_.now();
     bus_.Publish("SKILL_REQUEST", message);
   }
-  if (orders.sense) {
-    bus_.Publish("SENSE_REQUEST", sense_request_t{{bus_.now(), 0, 0, 0}});
-  }
+  if (orders.sense) RequestSense();
   if (orders.plan) {
     bus_.Publish("PLAN", ToMessage(*orders.plan, params_.domain));
   }
@@ -262,11 +281,22 @@ void Planner::Publish(const Execution& execution) {
   Complain(alert_t::STUCK, "The robot asks: " + execution.text);
 }
 
-void Planner::TellUnseen() {
+/// Who has joined an episode asks until it is told the state: the one who
+/// senses may be dead just now.
+void Planner::LookForUnseen() {
   if (!unseen_) return;
-  for (const std::string& text : unseen_->TakeOverdue(bus_.now())) {
-    Complain(alert_t::UNSEEN, text);
-  }
+  if (unseen_->has_joined_late() && !unseen_->has_state()) RequestSense();
+  TellUnseen(unseen_->TakeOverdue(bus_.now()));
+}
+
+void Planner::EndUnseen() {
+  if (!end_utime_ || bus_.now() < *end_utime_ + kLastWordsUs) return;
+  end_utime_.reset();
+  if (unseen_) TellUnseen(unseen_->TakeAll());
+}
+
+void Planner::TellUnseen(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) Complain(alert_t::UNSEEN, text);
 }
 
 void Planner::Complain(int8_t cause, const std::string& text) {

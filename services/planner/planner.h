@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -12,6 +13,7 @@
 #include "cell/predicates_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
 #include "common/relational/domain.h"
 #include "services/planner/executor.h"
@@ -40,17 +42,21 @@ class Planner final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
-  bool OnGoal(const command_goal_t& message);
+  CommandAnswer OnGoal(const command_goal_t& message);
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
   bool OnAction(const action_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
-  void Begin(Agent agent, const Goal& goal, int64_t utime);
-  const Goal* FindGoal(const std::string& name);
+  void Begin(Agent agent, const Goal& goal, const episode_t& episode);
+  void Watch(const Goal& goal);
+  void RequestSense();
+  std::string NoGoal(const std::string& name) const;
   void Complain(int8_t cause, const std::string& text);
   void Decide();
-  void TellUnseen();
+  void LookForUnseen();
+  void EndUnseen();
+  void TellUnseen(const std::vector<std::string>& texts);
   void Publish(const Monitor::Report& report);
   void Publish(const Execution& execution);
 
@@ -60,8 +66,10 @@ class Planner final : public Service {
   std::optional<UnseenChanges> unseen_;   // of the same
   std::optional<Executor> executor_;      // of the robot's
   std::optional<int64_t> complained_of_;  // episode
+  bool is_running_ = false;               // an episode
   bool may_act_ = false;
-  int64_t start_utime_ = 0;  // of the episode
+  int64_t start_utime_ = 0;           // of the episode
+  std::optional<int64_t> end_utime_;  // of the last one, until all is told
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace cell {
 namespace {
@@ -15,12 +16,38 @@ constexpr size_t kMaxActions = 16;
 
 }  // namespace
 
+UnseenChanges::UnseenChanges(const Domain& domain, const Params& params,
+                             bool has_joined_late)
+    : domain_(domain), params_(params), has_joined_late_(has_joined_late) {
+  for (const Goal& goal : domain.goals()) {
+    for (const Literal& literal : goal.literals) {
+      if (!literal.is_static) goal_predicates_.insert(literal.relation);
+    }
+  }
+}
+
 void UnseenChanges::Take(const SensedState& sensed) {
   if (latest_ && sensed.utime <= latest_->utime) return;
-  if (!latest_) {
-    latest_ = sensed;
+  if (latest_) {
+    Add(ChangesSince(sensed));
     return;
   }
+  latest_ = sensed;
+  if (has_joined_late_) Add(Found(sensed));
+}
+
+UnseenChanges::Change UnseenChanges::Found(const SensedState& sensed) const {
+  Change change{sensed.key_frame, sensed.utime, {}, true};
+  for (int atom = 0; atom < sensed.state.num_atoms(); ++atom) {
+    if (sensed.state.Get(atom) == Truth::kTrue &&
+        goal_predicates_.contains(domain_.vocabulary().Atom(atom).predicate)) {
+      change.atoms.emplace_back(atom, true);
+    }
+  }
+  return change;
+}
+
+UnseenChanges::Change UnseenChanges::ChangesSince(const SensedState& sensed) {
   Change change{sensed.key_frame, sensed.utime, {}};
   for (int atom = 0; atom < sensed.state.num_atoms(); ++atom) {
     const Truth now = sensed.state.Get(atom);
@@ -32,15 +59,17 @@ void UnseenChanges::Take(const SensedState& sensed) {
     latest_->state.Set(atom, now);  // the last that was known of it
   }
   latest_->utime = sensed.utime;
-  const bool is_explained =
-      std::any_of(actions_.begin(), actions_.end(),
-                  [&](const auto& action) { return Explains(action, change); });
-  if (!change.atoms.empty() && !is_explained && changes_.size() < kMaxChanges) {
+  return change;
+}
+
+void UnseenChanges::Add(Change change) {
+  for (const DoneAction& action : actions_) Account(action, change);
+  if (!change.atoms.empty() && changes_.size() < kMaxChanges) {
     changes_.push_back(std::move(change));
   }
 }
 
-bool UnseenChanges::Explains(const DoneAction& action,
+bool UnseenChanges::IsDuring(const DoneAction& action,
                              const Change& change) const {
   // From the state that the pick-up has made to what settles afterwards; a
   // state without a key frame of its own goes by its time.
@@ -51,11 +80,30 @@ bool UnseenChanges::Explains(const DoneAction& action,
   return is_within || is_about;
 }
 
+bool UnseenChanges::Explains(const DoneAction& action, int atom) const {
+  const GroundAtom ground = domain_.vocabulary().Atom(atom);
+  return !goal_predicates_.contains(ground.predicate) ||
+         std::ranges::any_of(ground.objects, [&](int object) {
+           return std::ranges::count(action.objects, object) > 0;
+         });
+}
+
+void UnseenChanges::Account(const DoneAction& action, Change& change) const {
+  if (!IsDuring(action, change)) return;
+  std::erase_if(change.atoms,
+                [&](const auto& atom) { return Explains(action, atom.first); });
+}
+
 void UnseenChanges::Take(const DoneAction& action) {
+  for (Change& change : changes_) Account(action, change);
   std::erase_if(changes_,
-                [&](const Change& change) { return Explains(action, change); });
+                [](const Change& change) { return change.atoms.empty(); });
   actions_.push_back(action);
   if (actions_.size() > kMaxActions) actions_.pop_front();
+}
+
+std::vector<std::string> UnseenChanges::TakeAll() {
+  return TakeOverdue(std::numeric_limits<int64_t>::max());
 }
 
 std::vector<std::string> UnseenChanges::TakeOverdue(int64_t now) {
@@ -74,9 +122,16 @@ std::string UnseenChanges::Tell(const Change& change) const {
     literals.push_back((is_true ? "" : "not ") +
                        domain_.vocabulary().AtomName(atom));
   }
+  const double seconds = 1e-6 * static_cast<double>(change.utime);
+  if (change.is_found) {
+    return fmt::format(
+        "Found done at {:.2f} s, by whom was not heard since the planner had "
+        "not yet started: {}",
+        seconds, fmt::join(literals, ", "));
+  }
   return fmt::format(
-      "No action was recognised that has made it so, at {:.2f} s: {}",
-      1e-6 * static_cast<double>(change.utime), fmt::join(literals, ", "));
+      "No action was recognised that has made it so, at {:.2f} s: {}", seconds,
+      fmt::join(literals, ", "));
 }
 
 }  // namespace cell

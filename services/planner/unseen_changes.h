@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,11 @@ namespace cell {
 /// Changes of the state that no recognised action accounts for: whoever sees
 /// and names what people do was dead meanwhile, or it happened by itself. The
 /// plan is right all the same, since it is made from the state. Pure.
+///
+/// What the task's goals speak of is accounted for by an action with an object
+/// of it alone; the rest, like what lies below a part in the air, by any action
+/// at that time. Who joins an episode that runs cannot know what was said
+/// before, and accounts for what the goals speak of and finds done, too.
 class UnseenChanges {
  public:
   struct Params {
@@ -23,27 +29,43 @@ class UnseenChanges {
     int64_t settle_us = 2'000'000;
   };
 
-  UnseenChanges(const Domain& domain, const Params& params)
-      : domain_(domain), params_(params) {}
+  /// What is true in the first state was so when the episode began, unless
+  /// `has_joined_late`.
+  UnseenChanges(const Domain& domain, const Params& params,
+                bool has_joined_late = false);
 
   void Take(const SensedState& sensed);
   void Take(const DoneAction& action);
 
+  bool has_joined_late() const { return has_joined_late_; }
+  bool has_state() const { return latest_.has_value(); }
+
   /// What has waited long enough for an action, in plain words, once.
   std::vector<std::string> TakeOverdue(int64_t now);
+  /// What has waited at all: the episode is over.
+  std::vector<std::string> TakeAll();
 
  private:
   struct Change {
     int64_t key_frame = 0;
     int64_t utime = 0;
     std::vector<std::pair<int, bool>> atoms;  // and what they have become
+    bool is_found = false;  // of unknown age: true in the first state
   };
 
-  bool Explains(const DoneAction& action, const Change& change) const;
+  Change Found(const SensedState& sensed) const;
+  Change ChangesSince(const SensedState& sensed);
+  void Add(Change change);
+  bool IsDuring(const DoneAction& action, const Change& change) const;
+  bool Explains(const DoneAction& action, int atom) const;
+  /// Takes away what the action explains.
+  void Account(const DoneAction& action, Change& change) const;
   std::string Tell(const Change& change) const;
 
   const Domain& domain_;
   Params params_;
+  bool has_joined_late_;
+  std::set<int> goal_predicates_;
   std::optional<SensedState> latest_;
   std::vector<Change> changes_;     // not accounted for yet
   std::deque<DoneAction> actions_;  // the latest ones

@@ -42,6 +42,10 @@ std::vector<KeyFrame> EventChain::Update(const Tracks& tracks,
   return frames;
 }
 
+bool EventChain::IsOfHandsAlone(const ObjectPair& pair) const {
+  return cast_.IsHand(pair.first) && cast_.IsHand(pair.second);
+}
+
 void EventChain::NoteWhoIsThere(const Tracks& tracks) {
   for (const Track& track : tracks.tracks) {
     if (track.state != Track::State::kLost) {
@@ -67,7 +71,9 @@ void EventChain::UpdatePairs(int64_t utime, const Proximities& proximities) {
     } else {
       filter.Hide();
     }
-    if (change) changes_.push_back({change->onset, pair, change->relation});
+    if (change && !IsOfHandsAlone(pair)) {
+      changes_.push_back({change->onset, pair, change->relation});
+    }
   }
   std::stable_sort(
       changes_.begin(), changes_.end(),
@@ -79,7 +85,7 @@ bool EventChain::IsOpen(int64_t utime, int64_t window_end) const {
   return utime < window_end ||
          std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
            const auto since = entry.second.pending_since();
-           return since && *since <= window_end;
+           return since && *since <= window_end && !IsOfHandsAlone(entry.first);
          });
 }
 
@@ -97,6 +103,9 @@ std::optional<KeyFrame> EventChain::NextKeyFrame(const Tracks& tracks) {
   changes_.erase(changes_.begin(), end);
   if (graph == graph_) return std::nullopt;
   graph_ = std::move(graph);
+  for (const auto& [pair, filter] : pairs_) {
+    if (IsOfHandsAlone(pair)) graph_[pair] = filter.relation();
+  }
   return MakeKeyFrame(onset, tracks);
 }
 

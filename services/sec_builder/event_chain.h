@@ -18,6 +18,9 @@ namespace cell {
 /// topology (section V-B). Changes that begin together are one key frame; it
 /// is dated back to the first of them and comes as soon as none that belongs to
 /// it can still be confirmed.
+///
+/// The chain is that of the parts: hands that touch each other, a person's an
+/// arm's gripper, are no event. Key frames say so of them all the same.
 class EventChain {
  public:
   struct Params {
@@ -41,6 +44,7 @@ class EventChain {
     Relation relation;
   };
 
+  bool IsOfHandsAlone(const ObjectPair& pair) const;
   void NoteWhoIsThere(const Tracks& tracks);
   bool IsGone(const std::string& name, int64_t utime) const;
   void UpdatePairs(int64_t utime, const Proximities& proximities);

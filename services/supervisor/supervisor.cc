@@ -51,8 +51,8 @@ Supervisor::Supervisor(Bus& bus, Params params)
     : bus_(bus), params_(std::move(params)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
-  bus_.Subscribe<command_mode_t>(
-      "COMMAND_MODE", [this](const auto& m) { return OnCommand(m); });
+  AnswerCommands<command_mode_t>(
+      bus_, "COMMAND_MODE", [this](const auto& m) { return OnCommand(m); });
   bus_.Subscribe<status_t>("STATUS",
                            [this](const auto& m) { return OnStatus(m); });
   bus_.Subscribe<skill_result_t>("SKILL_RESULT",
@@ -95,17 +95,23 @@ bool Supervisor::OnEpisode(const episode_t& message) {
   return true;
 }
 
-bool Supervisor::OnCommand(const command_mode_t& message) {
-  if (bus_.now() > message.deadline_utime) return false;
+CommandAnswer Supervisor::OnCommand(const command_mode_t& message) {
   switch (message.action) {
     case command_mode_t::HOLD:
       Watch().HoldByOperator();
-      return true;
-    case command_mode_t::RESUME:
+      return CommandAnswer::Accept("the arms stop, until `cell resume`");
+    case command_mode_t::RESUME: {
       Watch().ResumeByOperator();
-      return true;
+      const Operation operation = Watch().operation();
+      return CommandAnswer::Accept(operation.mode == Mode::kHold
+                                       ? "but the cell still holds: " +
+                                             operation.reason
+                                       : "nothing holds the cell");
+    }
     default:
-      return false;
+      return CommandAnswer::Refuse("its action is " +
+                                   std::to_string(message.action) +
+                                   ", neither HOLD (0) nor RESUME (1)");
   }
 }
 

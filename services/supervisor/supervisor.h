@@ -15,14 +15,16 @@
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
 #include "services/supervisor/supervision.h"
 
 namespace cell {
 
 /// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, ARM_STOP_*,
-/// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT. A permit is valid for
-/// so short a time that arms come to rest by themselves if this service dies.
+/// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT, ANSWER. A permit is
+/// valid for so short a time that arms come to rest by themselves if this
+/// service dies.
 class Supervisor final : public Service {
  public:
   struct Params {
@@ -37,7 +39,7 @@ class Supervisor final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
-  bool OnCommand(const command_mode_t& message);
+  CommandAnswer OnCommand(const command_mode_t& message);
   bool OnStatus(const status_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnState(const std::string& arm, const arm_state_t& message);

@@ -1,6 +1,7 @@
 #include "services/vtb/vtb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +84,8 @@ Vtb::Vtb(Bus& bus, const Params& params)
   num_begun_ = 1;
   bus_.Subscribe<execution_t>(
       "EXECUTION", [this](const execution_t& m) { return OnExecution(m); });
-  bus_.Subscribe<command_episode_t>(
-      "COMMAND_EPISODE",
+  AnswerCommands<command_episode_t>(
+      bus_, "COMMAND_EPISODE",
       [this](const command_episode_t& m) { return OnCommand(m); });
   bus_.Subscribe<command_fault_t>(
       "COMMAND_FAULT", [this](const command_fault_t& m) { return OnFault(m); });
@@ -130,23 +131,18 @@ bool Vtb::OnMode(const operating_mode_t& message) {
   return true;
 }
 
-bool Vtb::OnCommand(const command_episode_t& message) {
-  if (!OnOperator(message.deadline_utime)) return false;
+CommandAnswer Vtb::OnCommand(const command_episode_t& message) {
+  attendance_.HearOperator();
   switch (message.action) {
     case command_episode_t::END:
-      next_.reset();
-      is_running_ ? End() : bus_.EndRunIn(kGapTicks);
-      return true;
-    case command_episode_t::START: {
-      if (!book_->scripts.contains(message.demonstration)) return false;
-      if (is_running_) End();
-      next_ = {bus_.tick() + kGapTicks,
-               {message.demonstration, static_cast<uint64_t>(message.seed)}};
-      bus_.EndRunIn(kForeverTicks - bus_.tick());
-      return true;
-    }
+      return EndByCommand();
+    case command_episode_t::START:
+      return StartByCommand(
+          {message.demonstration, static_cast<uint64_t>(message.seed)});
     default:
-      return false;
+      return CommandAnswer::Refuse("its action is " +
+                                   std::to_string(message.action) +
+                                   ", neither START (0) nor END (1)");
   }
 }
 
@@ -159,6 +155,40 @@ bool Vtb::OnFault(const command_fault_t& message) {
   }
   (*arm)->Stop();
   return true;
+}
+
+CommandAnswer Vtb::EndByCommand() {
+  const bool was_to_begin = std::exchange(next_, std::nullopt).has_value();
+  if (is_running_) {
+    End();
+    return CommandAnswer::Accept(fmt::format("episode {} ({}) has ended",
+                                             episode_, request_.demonstration));
+  }
+  bus_.EndRunIn(kGapTicks);
+  return CommandAnswer::Accept(was_to_begin
+                                   ? "the episode that was to begin does not"
+                                   : "no episode was running");
+}
+
+CommandAnswer Vtb::StartByCommand(const Request& request) {
+  if (!book_->scripts.contains(request.demonstration)) {
+    std::vector<std::string> names;
+    for (const auto& [name, script] : book_->scripts) names.push_back(name);
+    std::ranges::sort(names);
+    return CommandAnswer::Refuse(
+        fmt::format("the task has no demonstration '{}'; it has {}",
+                    request.demonstration, fmt::join(names, ", ")));
+  }
+  const std::string before = is_running_
+                                 ? fmt::format("episode {} ({}) has ended; ",
+                                               episode_, request_.demonstration)
+                                 : "";
+  if (is_running_) End();
+  next_ = {bus_.tick() + kGapTicks, request};
+  bus_.EndRunIn(kForeverTicks - bus_.tick());
+  return CommandAnswer::Accept(
+      fmt::format("{}{} with seed {} begins at {:.2f} s", before,
+                  request.demonstration, request.seed, kTick * next_->tick));
 }
 
 bool Vtb::OnExecution(const execution_t& message) {

@@ -12,6 +12,7 @@
 #include "cell/execution_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
 #include "services/vtb/arm_device.h"
 #include "services/vtb/attendance.h"
@@ -57,13 +58,15 @@ class Vtb : public Service {
     Request request;
   };
 
-  bool OnCommand(const command_episode_t& message);
+  CommandAnswer OnCommand(const command_episode_t& message);
   bool OnFault(const command_fault_t& message);
   bool OnOperator(int64_t deadline_utime);
   bool OnMode(const operating_mode_t& message);
   bool OnExecution(const execution_t& message);
   void OnTick();
   void Prepare(const Request& request);
+  CommandAnswer EndByCommand();
+  CommandAnswer StartByCommand(const Request& request);
   void EndOrGoOn();
   void PublishEpisode(int8_t phase);
   void PublishTruth();

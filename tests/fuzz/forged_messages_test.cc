@@ -15,6 +15,7 @@
 #include "cell/ack_t.hpp"
 #include "cell/action_record_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
@@ -161,6 +162,10 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     alert_t alert{};
     alert.text = "the way to the goal has become longer";
     samples["ALERT"] = {Bus::Encode(alert)};
+    answer_t answer{};
+    answer.channel = "COMMAND_GOAL";
+    answer.text = "the task has no such goal";
+    samples["ANSWER"] = {Bus::Encode(answer)};
     hello_t hello{};
     hello.name = "tracker";
     hello.nonce = 1;
@@ -347,12 +352,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("EPISODE", "COMMAND_EPISODE", "COMMAND_FAULT",
                     "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
                     "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
-                    "STATUS", "COMMAND_GOAL", "COMMAND_MODE", "MOTION_PERMIT",
-                    "MODE", "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
-                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
-                    "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
-                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
-                    "LIBRARY_REQUEST", "STORE_REQUEST"),
+                    "ANSWER", "STATUS", "COMMAND_GOAL", "COMMAND_MODE",
+                    "MOTION_PERMIT", "MODE", "SENSE_REQUEST", "SKILL_REQUEST",
+                    "SKILL_RESULT", "EXECUTION", "ARM_REPORT_LEFT",
+                    "ARM_REPORT_RIGHT", "ARM_STATE_LEFT", "ARM_STATE_RIGHT",
+                    "WRENCH_RIGHT", "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
+                    "FRAME_1", "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

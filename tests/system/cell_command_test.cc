@@ -236,8 +236,9 @@ TEST_F(CellCommand, WithoutAMulticastRouteAServiceSaysWhatToDo) {
   EXPECT_THAT(run.output, HasSubstr("ip route add 224.0.0.0/4 dev lo"));
 }
 
-// Services started by hand on a private network, and a word to the clock.
-TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
+// Services started by hand on a private network, and an operator who says what
+// makes no sense, then ends the episode.
+TEST_F(CellCommand, AnOperatorIsAnsweredByARunningCell) {
   const std::string bin = CELL_BIN_DIR;
   std::ofstream(dir_ / "run.sh")
       << "ip link set lo up && ip route add 224.0.0.0/4 dev lo\n"
@@ -246,13 +247,30 @@ TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
          "'robot_arm --instance right'; do "
       << bin << "/$s --run-dir . & done\n"
       << bin << "/vtb --pace realtime --giveup 60 & clock=$!\n"
-      << "for try in 1 2 3 4 5 6 7 8 9 10; do " << bin
-      << "/cell episode end --deadline 5 && break; done\n"
+      << "ask() { " << bin
+      << "/cell $* --deadline 60 >>answers.txt 2>&1; "
+         "echo exit code $? >>answers.txt; }\n"
+         "for try in 1 2 3 4 5 6 7 8 9 10; do "
+      << bin
+      << "/cell hold --deadline 60 && break; done\n"
+         "ask resume\n"
+         "ask goal nonsense\n"
+         "ask episode start --demonstration nonsense\n"
+         "ask episode end\n"
          "wait $clock\n";
   const ShellResult run = Shell("cd " + dir_.string() + " && " +
                                 InPrivateNetwork() + "bash run.sh");
   EXPECT_EQ(run.code, 0) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("asked the clock to end the episode"));
+  EXPECT_THAT(run.output, HasSubstr("hold accepted: the arms stop"));
+  const std::string answers = TextOf(dir_ / "answers.txt");
+  EXPECT_THAT(
+      answers,
+      testing::ContainsRegex(
+          "resume accepted: .*\nexit code 0\n"
+          "goal nonsense refused: .* no goal 'nonsense'.*\nexit code 1\n"
+          "episode start refused: .* no demonstration 'nonsense'.*\n"
+          "exit code 1\n"
+          "episode end accepted: episode 1 .*\nexit code 0\n"));
   const RunLog log = RunLog::Load(dir_);
   int num_commands = 0;
   for (const auto& [k, tick] : log.ticks()) {
@@ -260,7 +278,7 @@ TEST_F(CellCommand, AnOperatorEndsTheEpisodeOfARunningCell) {
       num_commands += message.channel == "COMMAND_EPISODE";
     }
   }
-  EXPECT_EQ(num_commands, 1);
+  EXPECT_EQ(num_commands, 2);
   EXPECT_LT(log.ticks().size(), 5000u) << "the episode went on";
 }
 

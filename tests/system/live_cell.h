@@ -72,6 +72,7 @@ class LiveCell : public RunCell {
   }
 
   void Stop() {
+    constexpr int kStopMs = 60'000;
     for (const char* name : {"vtb", "recorder"}) {
       processes_.Kill(name, SIGTERM);
       EXPECT_TRUE(Await(
@@ -79,9 +80,9 @@ class LiveCell : public RunCell {
             processes_.TakeDeaths();
             return !processes_.IsRunning(name);
           },
-          5000));
+          kStopMs));
     }
-    processes_.StopAll(3000);
+    processes_.StopAll(kStopMs);
   }
 
   std::unique_ptr<LcmPort> main_;
@@ -109,7 +110,7 @@ class LiveCell : public RunCell {
     }
     processes_.Start(name, std::filesystem::path(CELL_BIN_DIR) / program,
                      arguments, dir_ / (name + ".out"));
-    constexpr int kStartMs = 20'000;
+    constexpr int kStartMs = 60'000;
     ASSERT_TRUE(Await([&] { return health_.contains(name); }, kStartMs))
         << name << ": " << TextOf(dir_ / (name + ".out"));
   }

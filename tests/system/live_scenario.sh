@@ -17,7 +17,7 @@ for signal in KILL STOP; do
     before=$(main_pid "$unit")
     begin=$(date +%s%N)
     kill -"$signal" "$before"
-    for _ in $(seq 1000); do
+    for _ in $(seq 6000); do
       now=$(main_pid "$unit")
       [[ $now != "$before" && $now != 0 ]] && is_ready "$unit" && break
       sleep 0.01
@@ -28,13 +28,13 @@ for signal in KILL STOP; do
 done >"$out/restarts.txt"
 "$cell" status --user >"$out/status.txt"
 echo "exit code $?" >>"$out/status.txt"
-"$cell" top --reports 1 --period 2 >"$out/top.txt"
-for _ in $(seq 150); do
+"$cell" top --reports 1 --period 10 >"$out/top.txt"
+for _ in $(seq 600); do
   "$cell" replay "$state/runs/current" >"$out/told.txt" 2>/dev/null
   grep -q 'the episode ends' "$out/told.txt" && break
   sleep 1
 done
-sleep 20  # what nobody has recognised is told after 15 s
+sleep 20  # what nobody has recognised is told as the episode is over
 "$cell" down --user >"$out/down.txt"
 "$cell" replay "$state/runs/current" >"$out/told.txt" 2>/dev/null
 "$cell" replay "$state/runs/current" --check >"$out/check.txt" 2>&1

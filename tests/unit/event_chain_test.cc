@@ -31,7 +31,8 @@ parts:
                                                "parts.yaml"));
   }
 
-  EventChainTest() {
+  explicit EventChainTest(const std::vector<std::string>& hands = {"hand"})
+      : cast_(Parts(), hands) {
     for (const std::string& name : cast_.names()) {
       if (name == Cast::kTable) continue;
       tracks_.tracks.push_back(
@@ -74,7 +75,7 @@ parts:
     }
   }
 
-  const Cast cast_{Parts(), {"hand"}};
+  const Cast cast_;
   std::set<ObjectPair> touching_ = {{"a", "table"}, {"b", "table"}};
   Tracks tracks_;
   EventChain chain_{cast_, {}};
@@ -129,6 +130,32 @@ TEST_F(EventChainTest, ChangesThatBeginApartAreKeyFramesInTheirOrder) {
   EXPECT_EQ(frames[0].utime, 10 * kFrame);
   EXPECT_EQ(frames[1].utime, 12 * kFrame);
   EXPECT_EQ(frames[1].index, frames[0].index + 1);
+}
+
+class ChainBesideAnArm : public EventChainTest {
+ protected:
+  ChainBesideAnArm() : EventChainTest({"gripper", "hand"}) {}
+};
+
+TEST_F(ChainBesideAnArm, AHandThatPassesTheGripperIsNoEvent) {
+  Next(10);
+  touching_.insert({"gripper", "hand"});
+  EXPECT_THAT(Next(10), IsEmpty());
+  touching_.clear();
+  EXPECT_THAT(Next(10), SizeIs(1));  // a and b were lifted
+}
+
+TEST_F(ChainBesideAnArm, AHandThatPassesTheGripperDoesNotMoveAPlacement) {
+  touching_.insert({"a", "hand"});
+  Next(10);
+  touching_.insert({"gripper", "hand"});
+  Next();
+  touching_.erase({"a", "hand"});
+  const auto frames = Next(10);
+  ASSERT_THAT(frames, SizeIs(1));
+  EXPECT_EQ(frames[0].utime, 11 * kFrame);
+  EXPECT_FALSE(Touch(frames[0].relations, "a", "hand"));
+  EXPECT_TRUE(Touch(frames[0].relations, "gripper", "hand"));
 }
 
 TEST_F(EventChainTest, AShortTouchIsNoKeyFrame) {

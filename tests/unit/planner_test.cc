@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cell/alert_t.hpp"
+#include "cell/command_goal_t.hpp"
 #include "cell/plan_t.hpp"
 #include "common/bus/stepper.h"
 #include "services/planner/planner_messages.h"
@@ -13,6 +14,7 @@ namespace cell {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class PlannerService : public testing::Test {
  protected:
@@ -31,11 +33,13 @@ class PlannerService : public testing::Test {
   void Run() {
     plans_.clear();
     alerts_.clear();
+    num_asked_ = 0;
     if (stepper_.Accept(++tick_, std::move(inputs_)) ==
         Stepper::State::kReady) {
       for (const Message& m : stepper_.Run()) {
         if (m.channel == "PLAN") Decode(m, plans_.emplace_back());
         if (m.channel == "ALERT") Decode(m, alerts_.emplace_back());
+        num_asked_ += m.channel == "SENSE_REQUEST";
       }
     }
     inputs_.clear();
@@ -53,6 +57,32 @@ class PlannerService : public testing::Test {
     episode.goal = goal;
     episode.agent = "person";
     Give("EPISODE", episode);
+  }
+  void Phase(int8_t phase) {
+    episode_t episode{};
+    episode.id = 1;
+    episode.phase = phase;
+    episode.goal = "assembled";
+    episode.agent = "person";
+    Give("EPISODE", episode);
+  }
+  /// Lets so many seconds pass; all alerts of causes UNSEEN on the way.
+  std::string UnseenWithin(int seconds) {
+    std::string texts;
+    for (int i = 0; i < seconds * 125; ++i) {
+      Run();
+      for (const alert_t& alert : alerts_) {
+        if (alert.cause == alert_t::UNSEEN) texts += alert.text + "\n";
+      }
+    }
+    return texts;
+  }
+  State WithPegs(const std::vector<std::pair<std::string, std::string>>& pegs) {
+    State state = cranfield_.Start();
+    for (const auto& [peg, hole] : pegs) {
+      state = cranfield_.Do(state, "PlaceRoundPeg", {peg, hole});
+    }
+    return state;
   }
   predicates_t Predicates(int64_t key_frame, const State& state) const {
     predicates_t message{};
@@ -93,6 +123,7 @@ class PlannerService : public testing::Test {
   std::vector<Message> inputs_;
   std::vector<plan_t> plans_;
   std::vector<alert_t> alerts_;
+  int num_asked_ = 0;  // for the state
   int32_t tick_ = 0;
 };
 
@@ -150,6 +181,69 @@ TEST_F(PlannerService, ANewEpisodeStartsAfresh) {
   Run();
   ASSERT_EQ(plans_.size(), 1u);
   EXPECT_EQ(plans_[0].num_steps, 2);
+}
+
+TEST_F(PlannerService, ALifeWithinAnEpisodeTellsWhatItFindsDone) {
+  Phase(episode_t::RUNNING);
+  Run();
+  EXPECT_EQ(num_asked_, 1);  // there may be no further key frame
+  Give("PREDICATES", Predicates(3, WithPegs({{"shaft", "base.shaft"}})));
+  const std::string told = UnseenWithin(30);
+  EXPECT_THAT(told, HasSubstr("PegInHole(shaft, base.shaft)"));
+  EXPECT_THAT(told, Not(HasSubstr("round")));
+}
+
+TEST_F(PlannerService, ALifeWithinAnEpisodeAsksUntilItIsToldTheState) {
+  Phase(episode_t::RUNNING);
+  int num_asked = 0;
+  for (int i = 0; i < 500; ++i) {
+    Run();
+    num_asked += num_asked_;
+  }
+  EXPECT_GE(num_asked, 4);
+  Give("PREDICATES", Predicates(3, cranfield_.Start()));
+  Run();
+  num_asked = 0;
+  for (int i = 0; i < 500; ++i) {
+    Run();
+    num_asked += num_asked_;
+  }
+  EXPECT_EQ(num_asked, 0);
+}
+
+TEST_F(PlannerService, AnActionAccountsForItsOwnPlacementAlone) {
+  Start("assembled");
+  Give("PREDICATES", Predicates(0, cranfield_.Start()));
+  Run();
+  Give("PREDICATES",
+       Predicates(2, WithPegs({{"shaft", "base.shaft"},
+                               {"round_peg_1", "base.round_1"}})));
+  Give("ACTION", PlaceShaft(action_t::FORWARD, 0, 2));
+  const std::string told = UnseenWithin(30);
+  EXPECT_THAT(told, HasSubstr("PegInHole(round_peg_1, base.round_1)"));
+  EXPECT_THAT(told, Not(HasSubstr("PegInHole(shaft")));
+}
+
+TEST_F(PlannerService, WhatWaitsForAnActionOutlivesAnotherGoal) {
+  Start("assembled");
+  Give("PREDICATES", Predicates(0, cranfield_.Start()));
+  Run();
+  Give("PREDICATES", Predicates(2, WithPegs({{"shaft", "base.shaft"}})));
+  Run();
+  command_goal_t goal{};
+  goal.goal = "round_pegs";
+  goal.deadline_utime = 1'000'000;
+  Give("COMMAND_GOAL", goal);
+  EXPECT_THAT(UnseenWithin(30), HasSubstr("PegInHole(shaft, base.shaft)"));
+}
+
+TEST_F(PlannerService, WhatWaitsForAnActionIsToldWhenTheEpisodeIsOver) {
+  Start("assembled");
+  Give("PREDICATES", Predicates(0, cranfield_.Start()));
+  Run();
+  Give("PREDICATES", Predicates(2, WithPegs({{"shaft", "base.shaft"}})));
+  Phase(episode_t::END);
+  EXPECT_THAT(UnseenWithin(1), HasSubstr("PegInHole(shaft, base.shaft)"));
 }
 
 TEST_F(PlannerService, RejectsWhatTheDomainDoesNotKnow) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cell/alert_t.hpp"
+#include "cell/answer_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/plan_t.hpp"
@@ -64,6 +65,7 @@ class RobotPlanner : public testing::Test {
   void Keep(const Message& m) {
     if (m.channel == "PLAN") Decode(m, plans_.emplace_back());
     if (m.channel == "ALERT") Decode(m, alerts_.emplace_back());
+    if (m.channel == "ANSWER") Decode(m, answers_.emplace_back());
     if (m.channel == "EXECUTION") Decode(m, told_.emplace_back());
     if (m.channel == "SENSE_REQUEST") Give("PREDICATES", Predicates(state_));
     if (m.channel != "SKILL_REQUEST") return;
@@ -138,6 +140,7 @@ class RobotPlanner : public testing::Test {
   std::vector<Message> inputs_;
   std::vector<plan_t> plans_;
   std::vector<alert_t> alerts_;
+  std::vector<answer_t> answers_;
   std::vector<execution_t> told_;
   std::vector<skill_request_t> requests_;
   int32_t tick_ = 0;
@@ -287,7 +290,10 @@ TEST_F(RobotPlanner, TakesAnotherGoalByCommandAndRefusesLateOrUnknownOnes) {
   Give("COMMAND_GOAL", goal);
   Run(100);
   EXPECT_EQ(stepper_->num_rejected().at("COMMAND_GOAL"), 2);
-  EXPECT_THAT(alerts_.back().text, HasSubstr("no goal 'nowhere'"));
+  ASSERT_THAT(answers_, SizeIs(3));
+  EXPECT_EQ(answers_[0].outcome, answer_t::ACCEPTED);
+  EXPECT_THAT(answers_[1].text, HasSubstr("past its deadline"));
+  EXPECT_THAT(answers_[2].text, HasSubstr("no goal 'nowhere'"));
 }
 
 TEST_F(RobotPlanner, WhoIsWatchedMayBeGivenAnotherGoal) {

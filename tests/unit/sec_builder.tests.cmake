@@ -2,4 +2,5 @@ cell_add_test(unit/pair_filter_test.cc LINK cell_sec_builder)
 cell_add_test(unit/event_chain_test.cc LINK cell_sec_builder)
 cell_add_test(unit/proximity_test.cc LINK cell_sec_builder cell_tracker)
 cell_add_test(unit/watching_services_test.cc
-  LINK cell_tracker cell_sec_builder cell_recognizer cell_predicate_estimator)
+  LINK cell_tracker cell_sec_builder cell_recognizer cell_predicate_estimator
+    cell_planner)

@@ -28,6 +28,7 @@ class UnseenChangesTest : public testing::Test {
             .utime = utime,
             .pick_key_frame = pick_frame,
             .place_key_frame = place_frame,
+            .objects = FirstStep().arguments,
             .pick_utime = utime - 2 * kSecond};
   }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cell/action_t.hpp"
+#include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/predicates_t.hpp"
@@ -21,6 +22,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/bus/stepper.h"
 #include "common/geometry/pose.h"
+#include "services/planner/planner.h"
 #include "services/predicate_estimator/predicate_estimator.h"
 #include "services/recognizer/recognizer.h"
 #include "services/sec_builder/sec_builder.h"
@@ -34,6 +36,7 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -56,12 +59,18 @@ class Watchers {
     Add("recognizer", "", MakeRecognizer, deployment);
     Add("predicate_estimator", "", MakePredicateEstimator, deployment);
   }
+  void AddPlanner() { Add("planner", "", MakePlanner, ShippedDeployment()); }
+  /// No service hears this key frame.
+  void LoseKeyFrame(int32_t seq) { lost_key_frame_ = seq; }
 
   /// Makes a tick with these messages of the clock's.
   template <class... M>
   void Tick(const std::pair<const char*, M>&... clocks) {
     std::vector<Message> inputs = std::move(sent_);
     sent_.clear();
+    std::erase_if(inputs, [this](const Message& message) {
+      return message.channel == "KEY_FRAME" && message.seq == lost_key_frame_;
+    });
     (inputs.push_back(Clocks(clocks.first, clocks.second)), ...);
     for (const auto& stepper : steppers_) {
       std::vector<Message> wanted;
@@ -116,6 +125,7 @@ class Watchers {
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<Message> sent_;
   std::vector<Message> log_;
+  int32_t lost_key_frame_ = -1;
   int32_t tick_ = 0;
 };
 
@@ -172,6 +182,8 @@ class WatchingServicesTest : public testing::Test {
     episode_t episode{};
     episode.header.utime = now();
     episode.phase = episode_t::START;
+    episode.agent = "person";
+    episode.goal = "assembled";
     watchers_->Tick(std::pair{"EPISODE", episode},
                     std::pair{"TRUTH_POSES", world_->Truth(now())});
   }
@@ -318,6 +330,35 @@ TEST_F(WatchingServicesTest, SameInputsGiveTheSameBytes) {
     EXPECT_EQ(logs[0][i].channel, logs[1][i].channel);
     EXPECT_EQ(logs[0][i].tick, logs[1][i].tick);
     ASSERT_EQ(*logs[0][i].bytes, *logs[1][i].bytes);
+  }
+}
+
+// Whichever key frame is lost, by all: the next one has all relations. The
+// shaft is placed and taken out again; without the key frame between, that is
+// one unknown manipulation of it.
+TEST_F(WatchingServicesTest, ALostKeyFrameLeavesNoPlacementUntold) {
+  Demonstrate();
+  const size_t num_frames = watchers_->Sent<key_frame_t>("KEY_FRAME").size();
+  for (size_t lost = 0; lost < num_frames; ++lost) {
+    watchers_ = std::make_unique<Watchers>();
+    watchers_->AddPlanner();
+    watchers_->LoseKeyFrame(static_cast<int32_t>(lost));
+    world_.emplace(task_);
+    Demonstrate();
+    episode_t end{};
+    end.phase = episode_t::END;
+    watchers_->Tick(std::pair{"EPISODE", end});
+    RunFor(100);
+    std::string told;
+    for (const action_t& action : watchers_->Sent<action_t>("ACTION")) {
+      told += action.part + "\n";
+    }
+    for (const alert_t& alert : watchers_->Sent<alert_t>("ALERT")) {
+      if (alert.cause == alert_t::UNSEEN) told += alert.text + "\n";
+    }
+    for (const char* part : {"round_peg_1", "shaft"}) {
+      EXPECT_THAT(told, HasSubstr(part)) << "key frame " << lost << " is lost";
+    }
   }
 }
 

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "cell/command_episode_t.hpp"
@@ -20,17 +17,14 @@ struct EpisodeOptions {
 };
 
 int CommandEpisode(const EpisodeOptions& options) {
-  OperatorPort port(options.port);
+  OperatorPort port(options.port, {"COMMAND_EPISODE", "the clock",
+                                   "episode " + options.action});
   command_episode_t command{};
   command.action = options.action == "start" ? command_episode_t::START
                                              : command_episode_t::END;
   command.demonstration = options.demonstration;
   command.seed = options.seed;
-  port.Send("COMMAND_EPISODE", command);
-  std::cout << fmt::format("asked the clock to {} the episode, by {:.2f} s\n",
-                           options.action,
-                           static_cast<double>(port.deadline_utime()) * 1e-6);
-  return 0;
+  return port.Execute(command);
 }
 
 }  // namespace

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "cell/command_goal_t.hpp"
@@ -17,14 +14,11 @@ struct GoalOptions {
 };
 
 int CommandGoal(const GoalOptions& options) {
-  OperatorPort port(options.port);
+  OperatorPort port(options.port,
+                    {"COMMAND_GOAL", "planner", "goal " + options.goal});
   command_goal_t command{};
   command.goal = options.goal;
-  port.Send("COMMAND_GOAL", command);
-  std::cout << fmt::format("asked the cell for the goal {}, by {:.2f} s\n",
-                           options.goal,
-                           static_cast<double>(port.deadline_utime()) * 1e-6);
-  return 0;
+  return port.Execute(command);
 }
 
 }  // namespace

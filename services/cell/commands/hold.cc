@@ -1,8 +1,6 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
+#include <string>
 
 #include "cell/command_mode_t.hpp"
 #include "services/cell/commands/commands.h"
@@ -11,15 +9,12 @@
 namespace cell::cli {
 namespace {
 
-int CommandMode(const OperatorOptions& options, int8_t action) {
-  OperatorPort port(options);
+int CommandMode(const OperatorOptions& options, int8_t action,
+                const std::string& name) {
+  OperatorPort port(options, {"COMMAND_MODE", "supervisor", name});
   command_mode_t command{};
   command.action = action;
-  port.Send("COMMAND_MODE", command);
-  std::cout << fmt::format("asked the cell to {}, by {:.2f} s\n",
-                           action == command_mode_t::HOLD ? "hold" : "go on",
-                           static_cast<double>(port.deadline_utime()) * 1e-6);
-  return 0;
+  return port.Execute(command);
 }
 
 void AddModeCommand(CLI::App& app, Action* action, int8_t mode,
@@ -27,9 +22,9 @@ void AddModeCommand(CLI::App& app, Action* action, int8_t mode,
   auto options = std::make_shared<OperatorOptions>();
   CLI::App* command = app.add_subcommand(name, help);
   AddOperatorOptions(*command, options.get());
-  command->callback([=] {
+  command->callback([=, name = std::string(name)] {
     *action = [=] {
-      return CommandMode(*options, mode);
+      return CommandMode(*options, mode, name);
     };
   });
 }

@@ -6,6 +6,7 @@
 #include "cell/action_record_t.hpp"
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/arm_state_t.hpp"
@@ -52,6 +53,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"ACTION", Of<action_t>()},
       {"ACTION_RECORD", Of<action_record_t>()},
       {"ALERT", Of<alert_t>()},
+      {"ANSWER", Of<answer_t>()},
       {"ARM_REPORT_LEFT", Of<arm_report_t>()},
       {"ARM_REPORT_RIGHT", Of<arm_report_t>()},
       {"ARM_SETPOINT_LEFT", Of<arm_setpoint_t>()},

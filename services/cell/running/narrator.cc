@@ -5,6 +5,7 @@
 
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/answer_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/key_frame_t.hpp"
@@ -72,6 +73,7 @@ std::vector<std::string> Narrator::Tell(const Message& message) {
   if (message.channel == "PREDICATES") return TellPredicates(message);
   if (message.channel == "PLAN") return TellPlan(message);
   if (message.channel == "ALERT") return TellAlert(message);
+  if (message.channel == "ANSWER") return TellAnswer(message);
   if (message.channel == "EPISODE") return TellEpisode(message);
   if (message.channel == "SKILL_REQUEST") return TellRequest(message);
   if (message.channel == "SKILL_RESULT") return TellResult(message);
@@ -172,6 +174,16 @@ std::vector<std::string> Narrator::TellAlert(const Message& message) {
                       : alert->level == alert_t::WARNING ? "WARNING"
                                                          : "note";
   return {Line(alert->header.utime, fmt::format("{}: {}", level, alert->text))};
+}
+
+std::vector<std::string> Narrator::TellAnswer(const Message& message) {
+  const auto answer = Decode<answer_t>(message);
+  if (!answer) return {};
+  const bool is_accepted = answer->outcome == answer_t::ACCEPTED;
+  return {
+      Line(answer->header.utime,
+           fmt::format("{} {}: {}", answer->channel,
+                       is_accepted ? "accepted" : "refused", answer->text))};
 }
 
 std::vector<std::string> Narrator::TellRequest(const Message& message) {

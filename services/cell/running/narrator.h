@@ -23,6 +23,7 @@ class Narrator {
   std::vector<std::string> TellPredicates(const Message& message);
   std::vector<std::string> TellPlan(const Message& message);
   std::vector<std::string> TellAlert(const Message& message);
+  std::vector<std::string> TellAnswer(const Message& message);
   std::vector<std::string> TellEpisode(const Message& message);
   std::vector<std::string> TellRequest(const Message& message);
   std::vector<std::string> TellResult(const Message& message);

@@ -1,36 +1,28 @@
 #include "services/cell/running/operator_port.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <optional>
+#include <iostream>
 #include <stdexcept>
+#include <utility>
 
+#include "common/bus/command_answer.h"
+#include "common/bus/decode.h"
 #include "common/node/number_option.h"
 
 namespace cell::cli {
 namespace {
 
-// The cell's time now, from what is said in every tick: TICK in lockstep,
-// MOTION_PERMIT in a live cell.
-int64_t AwaitTick(const std::string& url) {
-  LcmPort port(url);
-  std::optional<int64_t> utime;
-  port.Subscribe("(TICK|MOTION_PERMIT)", [&](const std::string&, Bytes bytes) {
-    if (bytes.size() >= kWireHeaderEnd) utime = ReadWireHeader(bytes).utime;
-  });
-  constexpr int kPatienceMs = 2000;
-  constexpr int kStepMs = 20;
-  for (int waited = 0; waited < kPatienceMs && !utime; waited += kStepMs) {
-    WaitForAny({&port}, kStepMs);
-    port.Drain();
-  }
-  if (!utime) {
-    throw std::runtime_error(
-        "neither TICK nor MOTION_PERMIT heard in 2 s: does the cell run "
-        "(cell status), and on this --url?");
-  }
-  return *utime;
-}
+constexpr int kStepMs = 20;
+/// Before the command: whether there is a cell at all.
+constexpr int kMaxFirstSilenceMs = 5'000;
+/// After it, without a word of the cell's time.
+constexpr int kMaxSilenceMs = 10'000;
+/// [us of the cell's time] An answer may come so long after the deadline: a
+/// service that plans looks at its messages afterwards.
+constexpr int64_t kAnswerTime = 5'000'000;
 
 }  // namespace
 
@@ -43,9 +35,101 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
       ->capture_default_str();
 }
 
-OperatorPort::OperatorPort(const OperatorOptions& options)
-    : control_(options.address.Get().ControlUrl()),
-      utime_(AwaitTick(options.address.Get().MainUrl())),
-      deadline_utime_(utime_ + std::llround(options.deadline_s * 1e6)) {}
+// The cell's time now comes from what is said in every tick: TICK in lockstep,
+// MOTION_PERMIT in a live cell.
+OperatorPort::OperatorPort(const OperatorOptions& options,
+                           OperatorCommand command)
+    : command_(std::move(command)),
+      deadline_s_(options.deadline_s),
+      control_(options.address.Get().ControlUrl()),
+      main_(options.address.Get().MainUrl()) {
+  main_.SubscribeTo(std::vector<std::string>{kTickChannel, "MOTION_PERMIT",
+                                             kAnswerChannel, command_.channel},
+                    [this](const std::string& channel, const Bytes& bytes) {
+                      OnMessage(channel, bytes);
+                    });
+  while (!utime_ && silent_ms_ < kMaxFirstSilenceMs) {
+    silent_ms_ += kStepMs;
+    WaitForAny({&main_}, kStepMs);
+    main_.Drain();
+  }
+  if (!utime_) {
+    throw std::runtime_error(fmt::format(
+        "neither TICK nor MOTION_PERMIT heard in {} s: does the cell run "
+        "(cell status), and on this --url?",
+        kMaxFirstSilenceMs / 1000));
+  }
+}
+
+int64_t OperatorPort::DeadlineUtime() const {
+  return *utime_ + std::llround(deadline_s_ * 1e6);
+}
+
+void OperatorPort::OnMessage(const std::string& channel, const Bytes& bytes) {
+  if (bytes.size() < kWireHeaderEnd) return;
+  if (channel == kAnswerChannel) {
+    const auto answer = Decode<answer_t>(bytes);
+    if (answer && answer->channel == command_.channel) {
+      answers_.push_back(*answer);
+    }
+  } else if (channel == command_.channel) {
+    Bytes as_sent = bytes;
+    WriteIdentity(0, 0, 0, as_sent);
+    if (!passed_on_ && as_sent == sent_) passed_on_ = ReadWireHeader(bytes);
+  } else {
+    utime_ = ReadWireHeader(bytes).utime;
+    silent_ms_ = 0;
+  }
+}
+
+// The clock gives a command its place among the messages, by which its answer
+// names it.
+const answer_t* OperatorPort::FindAnswer() const {
+  if (!passed_on_) return nullptr;
+  for (const answer_t& answer : answers_) {
+    if (answer.command_tick == passed_on_->tick &&
+        answer.command_sender == passed_on_->sender &&
+        answer.command_seq == passed_on_->seq) {
+      return &answer;
+    }
+  }
+  return nullptr;
+}
+
+bool OperatorPort::IsTooLate() const {
+  return *utime_ > deadline_utime_ + kAnswerTime || silent_ms_ >= kMaxSilenceMs;
+}
+
+int OperatorPort::Execute(const Bytes& bytes) {
+  sent_ = bytes;
+  deadline_utime_ = DeadlineUtime();
+  control_.Publish(command_.channel, sent_);
+  const answer_t* answer = nullptr;
+  for (silent_ms_ = 0; !(answer = FindAnswer()); silent_ms_ += kStepMs) {
+    if (IsTooLate()) Fail();
+    WaitForAny({&main_}, kStepMs);
+    main_.Drain();
+  }
+  const bool is_accepted = answer->outcome == answer_t::ACCEPTED;
+  (is_accepted ? std::cout : std::cerr)
+      << fmt::format("{} {}: {}\n", command_.what,
+                     is_accepted ? "accepted" : "refused", answer->text);
+  return is_accepted ? 0 : 1;
+}
+
+void OperatorPort::Fail() const {
+  const std::string since =
+      silent_ms_ >= kMaxSilenceMs
+          ? fmt::format("the cell has been silent for {} s", silent_ms_ / 1000)
+          : fmt::format("its deadline, {:.2f} s, has passed",
+                        1e-6 * static_cast<double>(deadline_utime_));
+  throw std::runtime_error(
+      passed_on_
+          ? fmt::format("{}: no answer from {}, and {}; does it run (cell "
+                        "status)?",
+                        command_.what, command_.service, since)
+          : fmt::format("{}: the clock has not passed on {}, and {}",
+                        command_.what, command_.channel, since));
+}
 
 }  // namespace cell::cli

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cell/answer_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/lcm_port.h"
 #include "common/node/address_option.h"
@@ -23,28 +26,49 @@ struct OperatorOptions {
 /// parsing.
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
 
-/// A connection to the clock of a cell that runs.
+/// What an operator commands, and who is to answer.
+struct OperatorCommand {
+  std::string channel;  ///< COMMAND_*
+  std::string service;  ///< that takes it
+  std::string what;     ///< "hold"
+};
+
+/// A connection to the clock of a cell that runs, for one command.
 class OperatorPort {
  public:
   /// Waits for the cell to say what time it is. @throws std::runtime_error if
   /// it is silent.
-  explicit OperatorPort(const OperatorOptions& options);
+  OperatorPort(const OperatorOptions& options, OperatorCommand command);
 
-  /// [us] of the cell's time, after which the command is not executed.
-  int64_t deadline_utime() const { return deadline_utime_; }
-
-  /// Fills in header.utime and the deadline.
+  /// Fills in header.utime and the deadline, sends the command, waits for its
+  /// answer and prints it. Returns 0 if the command was accepted, 1 if it was
+  /// refused. @throws std::runtime_error, naming who was to answer, if nobody
+  /// has by a few seconds past the deadline.
   template <class Command>
-  void Send(const std::string& channel, Command command) {
-    command.header.utime = utime_;
-    command.deadline_utime = deadline_utime_;
-    control_.Publish(channel, Bus::Encode(command));
+  int Execute(Command command) {
+    command.header.utime = *utime_;
+    command.deadline_utime = DeadlineUtime();
+    return Execute(Bus::Encode(command));
   }
 
  private:
+  int Execute(const Bytes& bytes);
+  int64_t DeadlineUtime() const;
+  void OnMessage(const std::string& channel, const Bytes& bytes);
+  const answer_t* FindAnswer() const;
+  bool IsTooLate() const;
+  [[noreturn]] void Fail() const;
+
+  OperatorCommand command_;
+  double deadline_s_;
   LcmPort control_;
-  int64_t utime_;
-  int64_t deadline_utime_;
+  LcmPort main_;
+  std::optional<int64_t> utime_;  // of the cell, last heard
+  int silent_ms_ = 0;             // since it was heard
+  Bytes sent_;
+  int64_t deadline_utime_ = 0;
+  std::optional<WireHeader> passed_on_;  // the command, as the clock sent it
+  std::vector<answer_t> answers_;        // on the command's channel
 };
 
 }  // namespace cell::cli
