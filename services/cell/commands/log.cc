@@ -77,7 +77,8 @@ int CheckLive(const LogOptions& options) {
     std::cout << Printable(problem) << "\n";
   }
   std::cout << fmt::format(
-      "{}: of a live cell, {} lives\n{}\n", options.log, log.lives().size(),
+      "{}: of a live cell, {} lives\n{}\n", Printable(options.log),
+      log.lives().size(),
       problems.empty() ? "whole" : fmt::format("{} findings", problems.size()));
   return problems.empty() ? 0 : 1;
 }
@@ -88,7 +89,7 @@ int RunCheck(const LogOptions& options) {
   const LogAudit audit = AuditLog(index);
   PrintFindings(audit);
   std::cout << fmt::format(
-      "{}: {}\n{}\n", options.log, Summary(index, audit),
+      "{}: {}\n{}\n", Printable(options.log), Summary(index, audit),
       audit.findings.empty()
           ? "whole"
           : fmt::format("{} findings", audit.findings.size()));
@@ -125,8 +126,8 @@ int RunConvert(const LogOptions& options) {
   }
   const int64_t num = WriteCanonicalLog(index, audit, options.out);
   std::cout << fmt::format(
-      "{}: {}\n{}: {} events, {}\n", options.log, Summary(index, audit),
-      options.out, num,
+      "{}: {}\n{}: {} events, {}\n", Printable(options.log),
+      Summary(index, audit), options.out, num,
       audit.findings.empty() ? "complete" : "NOT COMPLETE: see above");
   return audit.findings.empty() ? 0 : 1;
 }
