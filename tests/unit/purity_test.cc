@@ -30,6 +30,7 @@ const std::set<std::string> kAdapters = {
     "common/rendering/bands.cc",               // rows on all cores
     "common/text/printable_output.cc",         // what main() prints through
     "common/text/printable_output.h",          //
+    "common/text/terminal.cc",                 // the screen of the person
     "services/camera_set/pcd_file.cc",         // reads recorded clouds
     "services/camera_set/recorded_frames.cc",  // reads recorded frames
     "services/cell/commands/demo.cc",          // starts the cell's processes
