@@ -14,6 +14,7 @@
 #include "common/bus/decode.h"
 #include "common/bus/inbox.h"
 #include "common/bus/manifest.h"
+#include "common/text/printable.h"
 
 namespace cell {
 namespace {
@@ -104,7 +105,7 @@ class LcmClock {
         ++summary_.num_refused;
         if (complaints_.size() < kMaxComplaints &&
             complaints_.insert(*refusal).second) {
-          std::cerr << "clock: refuses " << *refusal << std::endl;
+          std::cerr << "clock: refuses " << Printable(*refusal) << std::endl;
         }
       }
     } else if (channel == kAckChannel) {

@@ -14,6 +14,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/service_arguments.h"
 #include "common/node/service_manager.h"
+#include "common/text/printable.h"
 
 namespace cell {
 namespace {
@@ -29,7 +30,7 @@ int Follow(const ServiceArguments& arguments, const Roster& roster,
   std::cerr << fmt::format("{}: followed {} ticks, {} messages as in the log\n",
                            name, summary.num_ticks, summary.num_equal);
   if (!summary.difference) return 0;
-  std::cerr << name << ": " << *summary.difference << std::endl;
+  std::cerr << name << ": " << Printable(*summary.difference) << std::endl;
   return 1;
 }
 
@@ -90,10 +91,10 @@ int ReportFailures(const std::string& name, const std::function<int()>& run) {
   try {
     return run();
   } catch (const std::invalid_argument& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
+    std::cerr << name << ": " << PrintableLines(e.what()) << std::endl;
     return 2;
   } catch (const std::exception& e) {
-    std::cerr << name << ": " << e.what() << std::endl;
+    std::cerr << name << ": " << PrintableLines(e.what()) << std::endl;
     return 1;
   }
 }

@@ -3,9 +3,12 @@
 #include <exception>
 #include <iostream>
 
+#include "common/text/printable.h"
+#include "common/text/printable_output.h"
 #include "services/cell/commands/commands.h"
 
 int main(int argc, char** argv) {
+  const cell::PrintableOutput printable_output;
   CLI::App app(
       "A robot cell that is taught by showing.\n"
       "Example: cell demo --seed 7");
@@ -18,7 +21,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   } catch (const std::exception& e) {
-    std::cerr << "cell: " << e.what() << std::endl;
+    std::cerr << "cell: " << cell::Printable(e.what()) << std::endl;
     return 1;
   }
 }

@@ -45,3 +45,5 @@ cell_add_test(system/live_cell_test.cc LINK cell_cli Threads::Threads TIMEOUT 30
 add_dependencies(live_cell_test programs)
 cell_add_test(system/hosts_test.cc LINK cell_cli cell_imaging TIMEOUT 300)
 add_dependencies(hosts_test programs)
+cell_add_test(system/terminal_test.cc LINK cell_bus Threads::Threads)
+add_dependencies(terminal_test programs)

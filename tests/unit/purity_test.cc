@@ -28,6 +28,9 @@ const std::set<std::string> kAdapters = {
     "common/node/service_arguments.cc",        // what systemd names
     "common/node/service_manager.cc",          // the watchdog's time
     "common/rendering/bands.cc",               // rows on all cores
+    "common/text/printable_output.cc",         // what main() prints through
+    "common/text/printable_output.h",          //
+    "common/text/terminal.cc",                 // the screen of the person
     "services/camera_set/pcd_file.cc",         // reads recorded clouds
     "services/camera_set/pcd_header.cc",       // and their headers
     "services/camera_set/recorded_frames.cc",  // reads recorded frames

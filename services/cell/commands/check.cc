@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/run_log.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/motion/motion_check.h"
 #include "services/cell/running/run_folder.h"
@@ -22,7 +23,7 @@ int RunCheck(const std::string& path) {
                     PartTable::FromConfig(run.deployment.OfTask("parts.yaml")));
   const RunLog log = RunLog::Load(run.path);
   for (const std::string& problem : log.problems()) {
-    std::cerr << problem << "\n";
+    std::cerr << Printable(problem) << "\n";
   }
   for (const auto& [tick, entry] : log.ticks()) {
     std::vector<Message> messages = entry.messages;
@@ -33,8 +34,9 @@ int RunCheck(const std::string& path) {
   }
   for (const Violation& violation : check.violations()) {
     std::cout << fmt::format("{:9.3f} s  {:5}  {:9}  {}\n",
-                             1e-6 * kTickUs * violation.tick, violation.arm,
-                             NameOf(violation.kind), violation.what);
+                             1e-6 * kTickUs * violation.tick,
+                             Printable(violation.arm), NameOf(violation.kind),
+                             Printable(violation.what));
   }
   std::cout << fmt::format("{} violations, {} protective stops in {} ticks\n",
                            check.violations().size(),

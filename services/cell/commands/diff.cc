@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/bus/run_log.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 
 namespace cell::cli {
@@ -50,7 +51,7 @@ int RunDiff(const std::string& first, const std::string& second) {
       return 1;
     }
     if (const auto difference = Difference(in_a, in_b->second)) {
-      std::cout << fmt::format("tick {}: {}\n", tick, *difference);
+      std::cout << fmt::format("tick {}: {}\n", tick, Printable(*difference));
       return 1;
     }
   }

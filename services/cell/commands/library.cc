@@ -10,6 +10,7 @@
 
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
@@ -42,13 +43,15 @@ std::string Signature(const ActionRecord& record) {
   for (const auto& [name, type] : record.arguments) {
     arguments.push_back(fmt::format("{}: {}", name, type));
   }
-  return fmt::format("{}({})", record.name, fmt::join(arguments, ", "));
+  return Printable(
+      fmt::format("{}({})", record.name, fmt::join(arguments, ", ")));
 }
 
 int List(const LibraryOptions& options) {
   for (const ActionRecord& record : OpenExisting(options).All()) {
-    std::cout << fmt::format("{:4}  {:56}  {}\n", record.id, Signature(record),
-                             fmt::join(record.agents, ", "));
+    std::cout << fmt::format(
+        "{:4}  {:56}  {}\n", record.id, Signature(record),
+        Printable(fmt::format("{}", fmt::join(record.agents, ", "))));
   }
   return 0;
 }
@@ -74,7 +77,7 @@ int Show(const LibraryOptions& options) {
     std::cout << key << ":\n";
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-      std::cout << "  " << line << "\n";
+      std::cout << "  " << Printable(line) << "\n";
     }
   }
   return 0;

@@ -9,6 +9,7 @@
 #include "common/bus/live_log.h"
 #include "common/bus/run_log.h"
 #include "common/node/cell_files.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/logs/canonical_log.h"
 #include "services/cell/logs/log_audit.h"
@@ -72,9 +73,12 @@ Roster RosterOf(const fs::path& log) {
 int CheckLive(const LogOptions& options) {
   const LiveLog log = LiveLog::Load(LogsAt(options.log));
   const auto problems = log.Problems(RosterOf(options.log));
-  for (const std::string& problem : problems) std::cout << problem << "\n";
+  for (const std::string& problem : problems) {
+    std::cout << Printable(problem) << "\n";
+  }
   std::cout << fmt::format(
-      "{}: of a live cell, {} lives\n{}\n", options.log, log.lives().size(),
+      "{}: of a live cell, {} lives\n{}\n", Printable(options.log),
+      log.lives().size(),
       problems.empty() ? "whole" : fmt::format("{} findings", problems.size()));
   return problems.empty() ? 0 : 1;
 }
@@ -85,7 +89,7 @@ int RunCheck(const LogOptions& options) {
   const LogAudit audit = AuditLog(index);
   PrintFindings(audit);
   std::cout << fmt::format(
-      "{}: {}\n{}\n", options.log, Summary(index, audit),
+      "{}: {}\n{}\n", Printable(options.log), Summary(index, audit),
       audit.findings.empty()
           ? "whole"
           : fmt::format("{} findings", audit.findings.size()));
@@ -94,7 +98,8 @@ int RunCheck(const LogOptions& options) {
       const StockReading stock = ReadAsStockToolsDo(file);
       std::cout << fmt::format(
           "{}: LCM's own reader returns {} events and {}\n",
-          file.filename().string(), stock.num_events, stock.end);
+          Printable(file.filename().string()), stock.num_events,
+          Printable(stock.end));
     }
   }
   return audit.findings.empty() && !audit.manifests.empty() ? 0 : 1;
@@ -121,8 +126,8 @@ int RunConvert(const LogOptions& options) {
   }
   const int64_t num = WriteCanonicalLog(index, audit, options.out);
   std::cout << fmt::format(
-      "{}: {}\n{}: {} events, {}\n", options.log, Summary(index, audit),
-      options.out, num,
+      "{}: {}\n{}: {} events, {}\n", Printable(options.log),
+      Summary(index, audit), options.out, num,
       audit.findings.empty() ? "complete" : "NOT COMPLETE: see above");
   return audit.findings.empty() ? 0 : 1;
 }

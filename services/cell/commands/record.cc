@@ -15,6 +15,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
@@ -78,7 +79,8 @@ class Recording {
     for (const Traffic::Channel& channel : report.channels) {
       if (channel.num_lost == 0) continue;
       num_lost += channel.num_lost;
-      std::cout << fmt::format("{}: {} lost\n", channel.name, channel.num_lost);
+      std::cout << fmt::format("{}: {} lost\n", Printable(channel.name),
+                               channel.num_lost);
     }
     std::cout << fmt::format(
         "{}: {} messages of {} channels in {:.1f} s, {} lost, {} of no member "

@@ -9,6 +9,7 @@
 
 #include "common/bus/live_log.h"
 #include "common/bus/live_replay.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/narrator.h"
 #include "services/cell/running/run_folder.h"
@@ -45,7 +46,7 @@ int CheckServices(const RunFolder& run, std::vector<std::string> names,
         AllServices(run.deployment, run.demonstration, run.seed);
     const auto [is_well, line] = replay_of(name, factories.at(name));
     if (!is_well) ++num_different;
-    std::cout << line << std::endl;
+    std::cout << Printable(line) << std::endl;
   }
   return num_different == 0 ? 0 : 1;
 }
@@ -86,7 +87,7 @@ std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
 void Report(const std::vector<std::string>& lines, const char* prefix) {
   constexpr size_t kMaxLines = 20;
   for (size_t i = 0; i < std::min(lines.size(), kMaxLines); ++i) {
-    std::cerr << prefix << lines[i] << "\n";
+    std::cerr << prefix << Printable(lines[i]) << "\n";
   }
   if (lines.size() <= kMaxLines) return;
   std::cerr << fmt::format("{}... and {} more\n", prefix,
@@ -117,7 +118,7 @@ int RunReplay(const ReplayOptions& options) {
   if (LiveLog::IsLive(LogsOf(options.run))) return ReplayLiveRun(options, run);
   const RunLog log = RunLog::Load(options.run);
   for (const std::string& problem : log.problems()) {
-    std::cerr << "log: " << problem << "\n";
+    std::cerr << "log: " << Printable(problem) << "\n";
   }
   if (!options.is_check) {
     Narrator narrator;

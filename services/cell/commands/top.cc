@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,9 +11,12 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
+#include "common/text/printable_output.h"
+#include "common/text/terminal.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/traffic.h"
+#include "services/cell/running/traffic_table.h"
 
 namespace cell::cli {
 namespace {
@@ -25,27 +27,6 @@ struct TopOptions {
   double period_s = 1;
   int num_reports = 0;
 };
-
-void Print(const Traffic::Report& report) {
-  std::cout << fmt::format("{:24} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
-                           "CPU %", "MB", "lost", "late", "strangers");
-  for (const Traffic::Process& p : report.processes) {
-    std::cout << fmt::format("{:24} {:6.1f} {:8.1f} {:7} {:7} {:9}\n", p.name,
-                             100 * p.processor,
-                             static_cast<double>(p.resident_bytes) / (1 << 20),
-                             p.num_lost, p.num_late, p.num_strangers);
-  }
-  std::cout << fmt::format("\n{:24} {:>8} {:>10} {:>7} {:>9}\n", "channel",
-                           "Hz", "KB/s", "lost", "rejected");
-  for (const Traffic::Channel& c : report.channels) {
-    std::cout << fmt::format("{:24} {:8.1f} {:10.1f} {:7} {:9}\n", c.name,
-                             c.rate_hz, c.bytes_per_s / 1024, c.num_lost,
-                             c.num_rejected);
-  }
-  std::cout << fmt::format("\nof no member of the cell: {}\n",
-                           report.num_foreign)
-            << std::flush;
-}
 
 int RunTop(const TopOptions& options) {
   const LcmAddress address = options.address.Get();
@@ -61,7 +42,7 @@ int RunTop(const TopOptions& options) {
                     });
   const auto& stop = StopOnSignals();
   const Progress clock;
-  const bool is_terminal = isatty(STDOUT_FILENO) != 0;
+  const bool is_redrawn = TakesTerminalCodes(STDOUT_FILENO);
   double begin = 0;
   for (int i = 0;
        !stop && (options.num_reports == 0 || i < options.num_reports); ++i) {
@@ -76,8 +57,10 @@ int RunTop(const TopOptions& options) {
       control.Drain();
     }
     const double now = clock.ElapsedSeconds();
-    if (is_terminal) std::cout << "\x1b[H\x1b[2J";
-    Print(traffic.Take(now - begin));
+    if (is_redrawn) WriteTerminalCode(std::cout, "\x1b[H\x1b[2J");
+    std::cout << TrafficTable(traffic.Take(now - begin),
+                              TerminalColumns(STDOUT_FILENO))
+              << std::flush;
     begin = now;
   }
   return 0;

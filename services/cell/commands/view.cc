@@ -12,6 +12,7 @@
 #include "common/bus/run_log.h"
 #include "common/imaging/png_file.h"
 #include "common/node/number_option.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/pictures/frame_picture.h"
 #include "services/cell/pictures/scene_picture.h"
@@ -61,7 +62,7 @@ int ViewScene(const RunFolder& run, const ViewOptions& options) {
   const auto num_pixels =
       DrawScene(run.deployment, poses, options.viewpoint, options.out);
   for (const auto& [name, num] : num_pixels) {
-    std::cout << fmt::format("{:24} {:7} pixels\n", name, num);
+    std::cout << fmt::format("{:24} {:7} pixels\n", Printable(name), num);
   }
   std::cout << fmt::format("{} shows {:.2f} s\n", options.out,
                            Seconds(poses.header.utime));

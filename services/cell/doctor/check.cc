@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "common/text/printable.h"
+
 namespace cell::cli {
 
-std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
+namespace {
+
+std::string LineOf(const std::string& check, const Diagnosis& diagnosis) {
   switch (diagnosis.level) {
     case Diagnosis::Level::kOk:
       return fmt::format("ok   {}: {}", check, diagnosis.what);
@@ -16,6 +20,13 @@ std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
   }
   return fmt::format("BAD  {}: {}; fix: {}", check, diagnosis.what,
                      diagnosis.fix);
+}
+
+}  // namespace
+
+// Names of processes and files are anybody's.
+std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
+  return Printable(LineOf(check, diagnosis));
 }
 
 }  // namespace cell::cli

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr int kNumKinds = 3;
@@ -68,4 +68,4 @@ StopChoice ChooseStop(StoppedSkill skill, uint64_t seed, int index) {
   return choice;
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cell {
+namespace cell::cli {
 
 /// By what an arm is stopped.
 enum class StopKind { kProtective, kHold, kDeath };
@@ -23,4 +23,4 @@ enum class StoppedSkill { kInsert, kInsertTurning, kSetDown };
 /// seen all. `seed` of the run, `index` of the skill in it among its kind.
 StopChoice ChooseStop(StoppedSkill skill, uint64_t seed, int index);
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -8,7 +8,7 @@
 #include "common/bus/decode.h"
 #include "services/cell/evaluations/assembly_score.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 constexpr int32_t kCalm = 125;          // [ticks] from a stop's end to the next
@@ -147,4 +147,4 @@ void StopInjector::Remember(const TruthPoses& truth) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::cli

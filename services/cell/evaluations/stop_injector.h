@@ -18,7 +18,7 @@
 #include "services/cell/evaluations/stop_choice.h"
 #include "services/vtb/script.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// A stop that was made, and what came of it.
 struct MadeStop {
@@ -79,4 +79,4 @@ class StopInjector {
   std::map<std::string, Eigen::Vector3d> placed_;  // when it was made, in W
 };
 
-}  // namespace cell
+}  // namespace cell::cli

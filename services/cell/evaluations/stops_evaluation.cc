@@ -9,7 +9,7 @@
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/stop_injector.h"
 
-namespace cell {
+namespace cell::cli {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ std::unique_ptr<Evaluation> MakeStopsEvaluation() {
   return std::make_unique<StopsEvaluation>();
 }
 
-}  // namespace cell
+}  // namespace cell::cli

@@ -4,7 +4,7 @@
 
 #include "services/cell/evaluations/evaluation.h"
 
-namespace cell {
+namespace cell::cli {
 
 /// The arms assemble, and are stopped once in about every action: every stage
 /// of every skill by a protective stop, the operator and the death of the arm's
@@ -12,4 +12,4 @@ namespace cell {
 /// before a stop must stay where it is until the arm is at work again.
 std::unique_ptr<Evaluation> MakeStopsEvaluation();
 
-}  // namespace cell
+}  // namespace cell::cli

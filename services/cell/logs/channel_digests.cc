@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "common/bus/message.h"
+#include "common/text/printable.h"
 
 namespace cell::cli {
 
@@ -24,7 +25,7 @@ void ChannelDigests::Put(const tick_t& manifest) {
 std::vector<std::string> ChannelDigests::Lines() const {
   std::vector<std::string> lines;
   for (const auto& [channel, digest] : digests_) {
-    lines.push_back(fmt::format("{} {:016x}", channel, digest));
+    lines.push_back(fmt::format("{} {:016x}", Printable(channel), digest));
   }
   return lines;
 }

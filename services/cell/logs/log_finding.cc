@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/text/printable.h"
+
 namespace cell::cli {
 
 std::string ToString(const LogFinding& finding) {
@@ -12,7 +14,7 @@ std::string ToString(const LogFinding& finding) {
   }
   if (finding.tick >= 0) text += fmt::format("tick {}: ", finding.tick);
   if (!finding.channel.empty()) text += finding.channel + ": ";
-  return text + finding.text;
+  return Printable(text + finding.text);
 }
 
 }  // namespace cell::cli

@@ -15,6 +15,7 @@
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
+#include "common/text/printable.h"
 
 namespace cell::cli {
 namespace {
@@ -23,11 +24,11 @@ constexpr double kSecond = 1e6;
 
 std::string Line(int64_t utime, const std::string& text) {
   return fmt::format("{:8.2f} s  {}", static_cast<double>(utime) / kSecond,
-                     text);
+                     Printable(text));
 }
 
 std::string Continued(const std::string& text) {
-  return fmt::format("{:12}{}", "", text);
+  return fmt::format("{:12}{}", "", Printable(text));
 }
 
 template <class Callable>

@@ -4,10 +4,19 @@
 
 #include <iostream>
 
+#include "common/text/printable.h"
+#include "common/text/printable_output.h"
+#include "common/text/terminal.h"
+
 namespace cell::cli {
+namespace {
+
+constexpr char kClearLine[] = "\r\x1b[K";
+
+}  // namespace
 
 Progress::Progress()
-    : is_terminal_(isatty(STDERR_FILENO) == 1),
+    : is_terminal_(TakesTerminalCodes(STDERR_FILENO)),
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
@@ -19,11 +28,14 @@ void Progress::Show(const std::string& text) {
   if (!is_terminal_ || now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   is_shown_ = true;
-  std::cerr << "\r\033[K" << text << std::flush;
+  WriteTerminalCode(std::cerr, kClearLine);
+  // A line that wraps is not cleared whole.
+  const int columns = TerminalColumns(STDERR_FILENO);
+  std::cerr << PrintableName(text, static_cast<size_t>(columns)) << std::flush;
 }
 
 void Progress::Clear() {
-  if (is_shown_) std::cerr << "\r\033[K" << std::flush;
+  if (is_shown_) WriteTerminalCode(std::cerr, kClearLine);
   is_shown_ = false;
 }
 

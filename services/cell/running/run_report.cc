@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
+#include "common/text/printable.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/episode_score.h"
 #include "services/cell/pictures/scene_picture.h"
@@ -50,10 +51,10 @@ bool HasWaitedInVain(const EpisodeRecord& record) {
 std::string WhyNot(const EpisodeRecord& record) {
   if (const auto why = WhyUnattended(record)) return *why;
   if (record.execution && record.execution->state == execution_t::STUCK) {
-    return "it asks: " + record.execution->text;
+    return "it asks: " + Printable(record.execution->text);
   }
   for (auto it = record.results.rbegin(); it != record.results.rend(); ++it) {
-    if (it->outcome != skill_result_t::SUCCEEDED) return it->reason;
+    if (it->outcome != skill_result_t::SUCCEEDED) return Printable(it->reason);
   }
   return "nobody knows why";
 }
@@ -79,8 +80,10 @@ std::string TellExecuted(const EpisodeRecord& record, const PartTable& parts,
     text += fmt::format(", screwed {}/{}", num[1][0], num[1][1]);
   }
   if (score.is_complete()) return text + ": nothing is missing";
-  return fmt::format("{}; missing {}\nwhy: {}", text,
-                     fmt::join(score.missing, ", "), WhyNot(record));
+  return fmt::format(
+      "{}; missing {}\nwhy: {}", text,
+      Printable(fmt::format("{}", fmt::join(score.missing, ", "))),
+      WhyNot(record));
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ std::string RunReport::DrawPicture(const EpisodeRecord& record,
     least_pixels = num;
   }
   return fmt::format("{} (least to be seen of {}: {} pixels)", path.string(),
-                     least, least_pixels);
+                     Printable(least), least_pixels);
 }
 
 void RunReport::Say(const std::string& line) {
@@ -154,7 +157,7 @@ int RunReport::Finish() {
   int number = 0;
   for (const EpisodeRecord& record : records) {
     std::cout << fmt::format("\nepisode {}, {}:\n", ++number,
-                             record.episode.demonstration);
+                             Printable(record.episode.demonstration));
     std::cout << (record.episode.agent == "robot"
                       ? TellExecuted(record, parts, book)
                       : TellWatched(record))

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+namespace cell {
+
+/// Passes PrintableLines() of what is written on to another buffer, of which it
+/// tells every failure. It holds back at most the line that is not complete.
+class PrintableBuffer : public std::streambuf {
+ public:
+  /// `target` must outlive it.
+  explicit PrintableBuffer(std::streambuf* target) : target_(target) {}
+  std::streambuf* target() const { return target_; }
+
+ protected:
+  int_type overflow(int_type c) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+
+ private:
+  bool PassOn(size_t size);
+
+  std::streambuf* target_;
+  std::string pending_;
+};
+
+/// While it lives, std::cout and std::cerr go through a PrintableBuffer each:
+/// no text that a program prints, wherever it came from, commands a terminal.
+/// One that lays out lines of foreign text still calls Printable(), since a
+/// line feed passes here. For main() alone.
+class PrintableOutput {
+ public:
+  PrintableOutput();
+  ~PrintableOutput();
+  PrintableOutput(const PrintableOutput&) = delete;
+  PrintableOutput& operator=(const PrintableOutput&) = delete;
+
+ private:
+  PrintableBuffer out_;
+  PrintableBuffer error_;
+};
+
+/// Writes a terminal's own control code, which passes a PrintableBuffer.
+void WriteTerminalCode(std::ostream& stream, const std::string& code);
+
+}  // namespace cell

@@ -1,0 +1,72 @@
+#include "services/cell/running/traffic_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/text/printable.h"
+
+namespace cell::cli {
+namespace {
+
+constexpr int kNameColumns = 24;
+constexpr int kWidestTable = 66;
+// A channel of LCM has at most 63 bytes, but an escaped byte takes four.
+constexpr size_t kMaxName = 64;
+
+double Megabytes(int64_t bytes) {
+  return static_cast<double>(bytes) / (1 << 20);
+}
+
+std::string WideTable(const Traffic::Report& report) {
+  std::string text =
+      fmt::format("{:{}} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
+                  kNameColumns, "CPU %", "MB", "lost", "late", "strangers");
+  for (const Traffic::Process& p : report.processes) {
+    text += fmt::format("{:{}} {:6.1f} {:8.1f} {:7} {:7} {:9}\n",
+                        PrintableName(p.name, kMaxName), kNameColumns,
+                        100 * p.processor, Megabytes(p.resident_bytes),
+                        p.num_lost, p.num_late, p.num_strangers);
+  }
+  text += fmt::format("\n{:{}} {:>8} {:>10} {:>7} {:>9}\n", "channel",
+                      kNameColumns, "Hz", "KB/s", "lost", "rejected");
+  for (const Traffic::Channel& c : report.channels) {
+    text +=
+        fmt::format("{:{}} {:8.1f} {:10.1f} {:7} {:9}\n",
+                    PrintableName(c.name, kMaxName), kNameColumns, c.rate_hz,
+                    c.bytes_per_s / 1024, c.num_lost, c.num_rejected);
+  }
+  return text + "\n";
+}
+
+std::string NarrowTable(const Traffic::Report& report, int columns) {
+  const auto max_name = static_cast<size_t>(std::max(columns, 8));
+  std::string text;
+  for (const Traffic::Process& p : report.processes) {
+    text += fmt::format("{}\n CPU {:.1f} %, {:.1f} MB\n",
+                        PrintableName(p.name, max_name), 100 * p.processor,
+                        Megabytes(p.resident_bytes));
+    if (p.num_lost + p.num_late + p.num_strangers == 0) continue;
+    text += fmt::format(" {} lost, {} late\n {} strangers\n", p.num_lost,
+                        p.num_late, p.num_strangers);
+  }
+  text += "\n";
+  for (const Traffic::Channel& c : report.channels) {
+    text += fmt::format("{}\n {:.1f} Hz, {:.1f} KB/s\n",
+                        PrintableName(c.name, max_name), c.rate_hz,
+                        c.bytes_per_s / 1024);
+    if (c.num_lost + c.num_rejected == 0) continue;
+    text += fmt::format(" {} lost, {} rejected\n", c.num_lost, c.num_rejected);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string TrafficTable(const Traffic::Report& report, int columns) {
+  return (columns < kWidestTable ? NarrowTable(report, columns)
+                                 : WideTable(report)) +
+         fmt::format("of no member of the cell: {}\n", report.num_foreign);
+}
+
+}  // namespace cell::cli
