@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common/files/draft.h"
+
 namespace cell {
 namespace {
 
@@ -60,10 +62,11 @@ FileBytes Decode(const Png& png, const std::filesystem::path& path,
 
 void Write(const std::filesystem::path& path, const FileBytes& bytes, int width,
            int height, LodePNGColorType type, unsigned bits) {
-  RequireNoError(
-      lodepng::encode(path.string(), bytes, static_cast<unsigned>(width),
-                      static_cast<unsigned>(height), type, bits),
-      path);
+  FileBytes file;
+  RequireNoError(lodepng::encode(file, bytes, static_cast<unsigned>(width),
+                                 static_cast<unsigned>(height), type, bits),
+                 path);
+  WriteFile(path, {reinterpret_cast<const char*>(file.data()), file.size()});
 }
 
 }  // namespace
