@@ -62,6 +62,13 @@ void EventLogWriter::Flush() {
   }
 }
 
+void EventLogWriter::Close() {
+  Flush();
+  if (std::fclose(file_.release()) != 0) {
+    throw std::runtime_error(Error(path_, "cannot be written"));
+  }
+}
+
 EventLogReader::EventLogReader(const std::filesystem::path& path)
     : file_(std::fopen(path.c_str(), "rb")) {
   if (!file_) throw std::runtime_error(Error(path, "cannot be opened"));

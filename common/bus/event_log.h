@@ -31,13 +31,15 @@ class EventLogWriter {
   /// Hands all that was written to the system: it survives the process.
   /// @throws std::runtime_error naming the file, e.g. when the disk is full.
   void Flush();
+  /// The last call: tells what only the close finds out. @throws as Flush().
+  void Close();
 
  private:
-  struct Close {
+  struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::FILE, Closer> file_;
   int64_t next_number_ = 0;
 };
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "common/files/draft.h"
+
 namespace cell {
 namespace {
 
@@ -81,7 +83,7 @@ void Write(const std::filesystem::path& path, const FileBytes& bytes, int width,
   RequireNoError(lodepng::encode(file, bytes, static_cast<unsigned>(width),
                                  static_cast<unsigned>(height), state),
                  path);
-  RequireNoError(lodepng::save_file(file, path.string()), path);
+  WriteFile(path, {reinterpret_cast<const char*>(file.data()), file.size()});
 }
 
 }  // namespace

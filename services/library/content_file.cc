@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/files/draft.h"
 #include "services/library/action_store.h"
 #include "services/library/record_json.h"
 
@@ -10,18 +11,13 @@ namespace cell {
 
 void WriteContent(const std::filesystem::path& file,
                   const std::vector<ActionRecord>& records) {
-  std::filesystem::path draft = file;
-  draft += ".new";
-  {
-    std::ofstream stream(draft);
-    stream << TextOfContent(records);
-    if (!stream.flush()) {
-      throw StoreError(draft.string() +
-                       ": cannot be written; is the folder there, may this "
-                       "user write to it, has the disk room?");
-    }
-  }
-  std::filesystem::rename(draft, file);
+  WriteFile(file, TextOfContent(records));
+}
+
+void ExportContent(const std::filesystem::path& file,
+                   const std::vector<ActionRecord>& records) {
+  WriteNewFile(file, TextOfContent(records),
+               "choose another file or remove it");
 }
 
 std::vector<ActionRecord> ReadContent(const std::filesystem::path& file) {

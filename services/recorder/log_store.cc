@@ -3,14 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <stdexcept>
 
 #include "common/bus/bus.h"
 #include "common/bus/run_log.h"
 
 namespace cell {
 
-std::filesystem::path FreeLogName(const std::filesystem::path& run_dir) {
+namespace {
+
+int NextNumber(const std::filesystem::path& run_dir) {
   int number = 1;
   for (const auto& log : LogsOf(run_dir)) {
     const std::string name = log.stem().string();  // cell-0001
@@ -19,11 +25,27 @@ std::filesystem::path FreeLogName(const std::filesystem::path& run_dir) {
       number = std::max(number, std::atoi(name.c_str() + dash + 1) + 1);
     }
   }
-  return run_dir / fmt::format("cell-{:04}.lcmlog", number);
+  return number;
+}
+
+}  // namespace
+
+std::filesystem::path ClaimLogName(const std::filesystem::path& run_dir) {
+  for (int number = NextNumber(run_dir);; ++number) {
+    const auto path = run_dir / fmt::format("cell-{:04}.lcmlog", number);
+    if (std::FILE* file = std::fopen(path.c_str(), "wx")) {
+      std::fclose(file);
+      return path;
+    }
+    if (errno != EEXIST) {
+      throw std::runtime_error(fmt::format(
+          "{}: cannot be created: {}", path.string(), std::strerror(errno)));
+    }
+  }
 }
 
 LogStore::LogStore(const std::filesystem::path& run_dir) {
-  if (!run_dir.empty()) writer_.emplace(FreeLogName(run_dir));
+  if (!run_dir.empty()) writer_.emplace(ClaimLogName(run_dir));
 }
 
 void LogStore::Append(const std::vector<Message>& messages) {

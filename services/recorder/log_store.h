@@ -9,8 +9,10 @@
 
 namespace cell {
 
-/// cell-0001.lcmlog in `run_dir`, with the number after the highest there.
-std::filesystem::path FreeLogName(const std::filesystem::path& run_dir);
+/// Creates cell-0001.lcmlog in `run_dir`, empty, with the number after the
+/// highest there; no other caller gets the same.
+/// @throws std::runtime_error naming the file if it cannot be created.
+std::filesystem::path ClaimLogName(const std::filesystem::path& run_dir);
 
 /// Storage adapter of the recorder: cell-0001.lcmlog in the run folder, the
 /// next free number for each life. Without a folder it keeps nothing (replay).

@@ -65,7 +65,7 @@ std::optional<std::string> RotatingLog::LackOfRoom() const {
 
 void RotatingLog::Open() {
   writer_.reset();
-  writer_.emplace(FreeLogName(run_dir_));
+  writer_.emplace(ClaimLogName(run_dir_));
   num_bytes_ = 0;
   RemoveOldest();
 }

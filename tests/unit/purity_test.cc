@@ -45,11 +45,10 @@ const std::set<std::string> kAdapters = {
     "services/cell/logs/stock_reader.cc",      // runs LCM's own reader
     "services/cell/running/output_follower.cc",  // what the processes said
     "services/cell/running/process_group.cc",    // processes of a demonstration
-    "services/cell/running/progress.cc",    // the wall clock for the person
-    "services/cell/running/progress.h",     //
-    "services/cell/running/run_folder.cc",  // what a run leaves behind
-    "services/library/content_file.cc",     // what a library held
-    "services/recorder/log_store.cc",       // the log
+    "services/cell/running/progress.cc",  // the wall clock for the person
+    "services/cell/running/progress.h",   //
+    "services/library/content_file.cc",   // what a library held
+    "services/recorder/log_store.cc",     // the log
 };
 
 std::vector<fs::path> Sources() {

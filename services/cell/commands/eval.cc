@@ -4,7 +4,9 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <set>
 
+#include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
@@ -20,6 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxRuns = 1'000'000;
+constexpr char kAnotherJson[] = "choose another --json or remove it";
 
 struct EvalOptions {
   std::shared_ptr<Evaluation> evaluation;
@@ -122,8 +125,51 @@ void Print(const std::vector<Measure>& measures) {
   }
 }
 
+json ToJson(const std::vector<Measure>& measures,
+            const std::vector<Figure>& figures, uint64_t seed) {
+  json report = json::array();
+  for (const Measure& m : measures) report.push_back(ToJson(m, seed));
+  for (const Figure& f : figures) report.push_back(ToJson(f, seed));
+  return report;
+}
+
+// What a report is about: the names in it, each with its seed.
+std::set<std::string> TopicsOf(const json& report) {
+  std::set<std::string> topics;
+  if (!report.is_array()) return topics;
+  for (const json& entry : report) {
+    if (!entry.is_object()) return {};
+    topics.insert(entry.value("measure", json()).dump() +
+                  entry.value("figure", json()).dump() +
+                  entry.value("seed", json()).dump());
+  }
+  return topics;
+}
+
+// Before hours of work: whether the measures can be written at their end. What
+// an evaluation that is resumed has said of fewer rows may be replaced.
+void RequireFreeJson(const EvalOptions& options) {
+  if (options.json_file.empty()) return;
+  if (options.is_resumed) {
+    std::ifstream file(options.json_file);
+    const json old = json::parse(file, nullptr, false);
+    const json mine = ToJson(options.evaluation->Measures({}),
+                             options.evaluation->Figures({}), options.seed);
+    if (TopicsOf(old) == TopicsOf(mine)) return;
+  }
+  RequireFree(options.json_file, kAnotherJson);
+}
+
+void WriteJson(const EvalOptions& options, const json& report) {
+  if (options.json_file.empty()) return;
+  const std::string text = report.dump(2) + "\n";
+  options.is_resumed ? WriteFile(options.json_file, text)
+                     : WriteNewFile(options.json_file, text, kAnotherJson);
+}
+
 int RunEval(const EvalOptions& options) {
   const CellFiles files = FilesFor(options);
+  RequireFreeJson(options);
   const int runs =
       options.runs > 0 ? options.runs : options.evaluation->default_runs();
   const auto trials = options.evaluation->Trials(runs, options.seed);
@@ -144,17 +190,8 @@ int RunEval(const EvalOptions& options) {
   Print(measures);
   Print(figures);
   bool is_met = rows.size() == trials.size();
-  json report = json::array();
-  for (const Measure& measure : measures) {
-    report.push_back(ToJson(measure, options.seed));
-    is_met &= measure.is_met();
-  }
-  for (const Figure& figure : figures) {
-    report.push_back(ToJson(figure, options.seed));
-  }
-  if (!options.json_file.empty()) {
-    std::ofstream(options.json_file) << report.dump(2) << "\n";
-  }
+  for (const Measure& measure : measures) is_met &= measure.is_met();
+  WriteJson(options, ToJson(measures, figures, options.seed));
   std::cout << fmt::format("rows in {} ({} of {} runs)\n",
                            store.path().string(), rows.size(), trials.size());
   return is_met ? 0 : 1;

@@ -85,7 +85,7 @@ int Show(const LibraryOptions& options) {
 
 int Export(const LibraryOptions& options) {
   const std::vector<ActionRecord> records = OpenExisting(options).All();
-  WriteContent(options.file, records);
+  ExportContent(options.file, records);
   std::cout << fmt::format("{} actions are in {}\n", records.size(),
                            options.file);
   return 0;

@@ -58,7 +58,7 @@ int Prepare(const PrepareOptions& options) {
   const std::filesystem::path runs =
       std::filesystem::path(options.state_dir) / "runs";
   RunFolder run =
-      RunFolder::Create(FreeRunFolder(runs, "live").string(), "live",
+      RunFolder::Create(ClaimRunFolder(runs, "live").string(), "live",
                         files.deployment, options.demonstration, options.seed);
   if (options.has_cameras) run.TakePart("cameras");
   PointTo(run.path, runs / "current");

@@ -36,7 +36,7 @@ struct RecordOptions {
 
 fs::path FolderFor(const std::string& out) {
   const fs::path folder =
-      out.empty() ? FreeRunFolder("runs", "record") : fs::path(out);
+      out.empty() ? ClaimRunFolder("runs", "record") : fs::path(out);
   fs::create_directories(folder);
   if (!LogsOf(folder).empty()) {
     throw std::runtime_error(folder.string() +

@@ -5,23 +5,29 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
-#include <string>
+#include <sstream>
+#include <string_view>
 
 #include "cell/type_texts.h"
+#include "common/files/draft.h"
 #include "services/cell/commands/commands.h"
 
 namespace cell::cli {
 namespace {
 
+bool Holds(const std::filesystem::path& path, std::string_view text) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream old;
+  old << file.rdbuf();
+  return file && old.str() == text;
+}
+
 int WriteTypes(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const auto& [name, text] : kTypeTexts) {
-    std::ofstream file(folder / name, std::ios::binary);
-    file << text;
-    if (!file.flush()) {
-      throw std::runtime_error((folder / name).string() +
-                               ": cannot be written");
+    if (!Holds(folder / name, text)) {
+      WriteNewFile(folder / name, text,
+                   "it has another text; choose another --out");
     }
   }
   std::cout << fmt::format("{} message types in {}\n", std::size(kTypeTexts),

@@ -10,6 +10,7 @@
 #include "common/bus/decode.h"
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
+#include "common/files/draft.h"
 #include "common/imaging/png_file.h"
 #include "common/node/number_option.h"
 #include "common/text/printable.h"
@@ -57,10 +58,14 @@ M MessageAt(const RunFolder& run, const std::string& channel,
   return *last;
 }
 
+constexpr char kAnotherOut[] = "choose another --out or remove it";
+
 int ViewScene(const RunFolder& run, const ViewOptions& options) {
   const auto poses = MessageAt<truth_poses_t>(run, "TRUTH_POSES", options.at_s);
+  Draft draft(options.out);
   const auto num_pixels =
-      DrawScene(run.deployment, poses, options.viewpoint, options.out);
+      DrawScene(run.deployment, poses, options.viewpoint, draft.path());
+  draft.PutNew(kAnotherOut);
   for (const auto& [name, num] : num_pixels) {
     std::cout << fmt::format("{:24} {:7} pixels\n", Printable(name), num);
   }
@@ -78,14 +83,17 @@ int ViewFrame(const RunFolder& run, const ViewOptions& options) {
                                          channel,
                                          Seconds(message.header.utime)));
   }
-  WritePng(options.out,
+  Draft draft(options.out);
+  WritePng(draft.path(),
            options.is_of_depth ? GreyOfDepth(frame->depth) : frame->colour);
+  draft.PutNew(kAnotherOut);
   std::cout << fmt::format("{} shows what camera {} saw at {:.2f} s\n",
                            options.out, options.camera, Seconds(frame->utime));
   return 0;
 }
 
 int RunView(const ViewOptions& options) {
+  RequireFree(options.out, kAnotherOut);
   const RunFolder run = RunFolder::Open(options.run);
   return options.camera.empty() ? ViewScene(run, options)
                                 : ViewFrame(run, options);

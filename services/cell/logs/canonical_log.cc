@@ -1,12 +1,12 @@
 #include "services/cell/logs/canonical_log.h"
 
 #include <map>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "common/bus/bus.h"
 #include "common/bus/event_log.h"
+#include "common/files/draft.h"
 
 namespace cell::cli {
 namespace {
@@ -30,7 +30,7 @@ class OrderedWriter {
 
   void Finish() {
     WriteDue();
-    writer_.Flush();
+    writer_.Close();
   }
 
  private:
@@ -53,21 +53,15 @@ class OrderedWriter {
   size_t next_ = 0;
 };
 
-}  // namespace
-
-int64_t WriteCanonicalLog(const LogIndex& index, const LogAudit& audit,
-                          const std::filesystem::path& out) {
-  if (std::filesystem::exists(out)) {
-    throw std::runtime_error(out.string() +
-                             ": exists; choose another --out or remove it");
-  }
+int64_t Write(const LogIndex& index, const LogAudit& audit,
+              const std::filesystem::path& out) {
   if (audit.manifests.empty()) {
     EventLogWriter writer(out);
     ReadPayloads(index, [&](size_t entry, const Bytes& bytes) {
       writer.Write(index.entries[entry].utime,
                    index.entries[entry].message.channel, bytes);
     });
-    writer.Flush();
+    writer.Close();
     return static_cast<int64_t>(index.entries.size());
   }
   OrderedWriter writer(audit, out);
@@ -76,6 +70,18 @@ int64_t WriteCanonicalLog(const LogIndex& index, const LogAudit& audit,
   });
   writer.Finish();
   return static_cast<int64_t>(audit.kept.size());
+}
+
+}  // namespace
+
+int64_t WriteCanonicalLog(const LogIndex& index, const LogAudit& audit,
+                          const std::filesystem::path& out) {
+  constexpr char kAdvice[] = "choose another --out or remove it";
+  RequireFree(out, kAdvice);
+  Draft draft(out);
+  const int64_t num = Write(index, audit, draft.path());
+  draft.PutNew(kAdvice);
+  return num;
 }
 
 }  // namespace cell::cli

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 #include <vector>
+
+#include "common/files/draft.h"
 
 namespace cell::cli {
 namespace {
@@ -46,24 +47,30 @@ void KeepFrames(const fs::path& frames, const Deployment& deployment) {
   const fs::path file = deployment.config_dir / "camera_set.yaml";
   YAML::Node node = YAML::LoadFile(file.string());
   node["recorded"]["folder"] = name;
-  std::ofstream stream(file);
-  stream << node << "\n";
-  if (!stream.flush()) {
-    throw std::runtime_error(file.string() + ": cannot be written");
+  WriteFile(file, YAML::Dump(node) + "\n");
+}
+
+// Many may ask for one folder at once: who makes the first entry has it.
+void Claim(const fs::path& run) {
+  fs::create_directories(run);
+  if (!fs::is_empty(run) || !fs::create_directory(run / "deploy")) {
+    throw std::runtime_error(run.string() +
+                             ": exists and is not empty; choose another --out");
   }
 }
 
 }  // namespace
 
-fs::path FreeRunFolder(const fs::path& runs, const std::string& kind) {
+fs::path ClaimRunFolder(const fs::path& runs, const std::string& kind) {
+  fs::create_directories(runs);
   for (int number = 1;; ++number) {
     fs::path path = runs / fmt::format("{}-{:04}", kind, number);
-    if (!fs::exists(path)) return path;
+    if (fs::create_directory(path)) return path;
   }
 }
 
 void PointTo(const fs::path& run, const fs::path& link) {
-  const fs::path next = link.string() + ".next";
+  const fs::path next = run.string() + ".link";  // no other run has this name
   fs::remove(next);
   fs::create_symlink(run.filename(), next);
   fs::rename(next, link);
@@ -73,38 +80,42 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
                             const Deployment& source,
                             const std::string& demonstration, uint64_t seed) {
   RunFolder run;
-  run.path = path.empty() ? FreeRunFolder("runs", kind) : fs::path(path);
-  if (fs::exists(run.path) && !fs::is_empty(run.path)) {
-    throw std::runtime_error(run.path.string() +
-                             ": exists and is not empty; choose another --out");
+  run.path = path.empty() ? ClaimRunFolder("runs", kind) : fs::path(path);
+  Claim(run.path);
+  try {
+    run.Fill(source, demonstration, seed);
+  } catch (...) {
+    run.Discard();
+    throw;
   }
+  return run;
+}
+
+void RunFolder::Fill(const Deployment& source, const std::string& episodes,
+                     uint64_t chance) {
   const fs::path frames = FramesElsewhere(source);
   const std::string task = source.task_dir.filename().string();
-  run.deployment = DeploymentIn(run.path, task);
-  fs::create_directories(run.deployment.task_dir.parent_path());
+  deployment = DeploymentIn(path, task);
+  fs::create_directories(deployment.task_dir.parent_path());
   constexpr auto kDeep = fs::copy_options::recursive;
-  fs::copy(source.config_dir, run.deployment.config_dir, kDeep);
-  fs::copy(source.task_dir, run.deployment.task_dir, kDeep);
-  if (!frames.empty()) KeepFrames(frames, run.deployment);
+  fs::copy(source.config_dir, deployment.config_dir, kDeep);
+  fs::copy(source.task_dir, deployment.task_dir, kDeep);
+  if (!frames.empty()) KeepFrames(frames, deployment);
   if (fs::is_directory(source.types_dir)) {
-    fs::create_directories(run.deployment.types_dir);
+    fs::create_directories(deployment.types_dir);
     for (const auto& entry : fs::directory_iterator(source.types_dir)) {
       if (entry.path().extension() == ".lcm") {
-        fs::copy(entry.path(), run.deployment.types_dir);
+        fs::copy(entry.path(), deployment.types_dir);
       }
     }
   }
-  run.demonstration = demonstration;
-  run.seed = seed;
-  run.roster = Roster::FromConfig(
-      Config::Load(run.deployment.config_dir / "roster.yaml"));
-  std::ofstream file(run.path / "run.yaml");
-  file << "task: " << task << "\ndemonstration: \"" << demonstration
-       << "\"\nseed: " << seed << "\n";
-  if (!file.flush()) {
-    throw std::runtime_error(run.path.string() + ": cannot be written");
-  }
-  return run;
+  demonstration = episodes;
+  seed = chance;
+  roster =
+      Roster::FromConfig(Config::Load(deployment.config_dir / "roster.yaml"));
+  WriteFile(path / "run.yaml",
+            fmt::format("task: {}\ndemonstration: \"{}\"\nseed: {}\n", task,
+                        demonstration, seed));
 }
 
 void RunFolder::TakePart(const std::string& option) {
@@ -122,7 +133,7 @@ void RunFolder::TakePart(const std::string& option) {
   if (!is_any) {
     config["services"].Fail("has no service with the option " + option);
   }
-  std::ofstream(file) << node << "\n";
+  WriteFile(file, YAML::Dump(node) + "\n");
   roster = Roster::FromConfig(Config::Load(file.string()));
 }
 
@@ -130,7 +141,7 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   const fs::path file = deployment.config_dir / "planner.yaml";
   YAML::Node planner = YAML::LoadFile(file.string());
   planner["execution"]["help_steps"] = actions;
-  std::ofstream(file) << planner << "\n";
+  WriteFile(file, YAML::Dump(planner) + "\n");
 }
 
 void RunFolder::Discard() const {

@@ -35,11 +35,16 @@ struct RunFolder {
   void Discard() const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.
   static RunFolder Open(const std::string& path);
+
+ private:
+  void Fill(const Deployment& source, const std::string& episodes,
+            uint64_t chance);
 };
 
-/// RUNS/<kind>-<number> that is not there yet.
-std::filesystem::path FreeRunFolder(const std::filesystem::path& runs,
-                                    const std::string& kind);
+/// Makes RUNS/<kind>-<number> with the first free number; of several callers at
+/// once each gets a folder of its own.
+std::filesystem::path ClaimRunFolder(const std::filesystem::path& runs,
+                                     const std::string& kind);
 
 /// Makes `link`, beside the run folder, a symbolic link to it.
 void PointTo(const std::filesystem::path& run,
