@@ -8,6 +8,11 @@ cell=/usr/local/bin/cell
 state=$XDG_CONFIG_HOME/cell  # $STATE_DIRECTORY of a user's manager
 printf 'CELL_DEMONSTRATION=assembly\nCELL_SEED=7\n' >"$state/environment"
 "$cell" up --user >"$out/up.txt" || { cat "$out/up.txt" /run/manager.log; exit 1; }
+# A second pair of ears: what is said while the recorder hangs is in no log of
+# its own.
+"$cell" record --deploy "$state/runs/current/deploy" --out "$out/glimpse" \
+  >"$out/glimpse.txt" 2>&1 &
+ears=$!
 main_pid() { systemctl --user show -p MainPID --value "$1"; }
 is_ready() { [[ $(systemctl --user show -p ActiveState --value "$1") == active ]]; }
 for signal in KILL STOP; do
@@ -35,6 +40,9 @@ for _ in $(seq 600); do
   sleep 1
 done
 sleep 20  # what nobody has recognised is told as the episode is over
+kill -TERM "$ears"
+wait "$ears"
+"$cell" replay "$out/glimpse" >"$out/heard.txt" 2>/dev/null
 "$cell" down --user >"$out/down.txt"
 "$cell" replay "$state/runs/current" >"$out/told.txt" 2>/dev/null
 "$cell" replay "$state/runs/current" --check >"$out/check.txt" 2>&1

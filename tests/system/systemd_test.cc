@@ -110,15 +110,16 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
   EXPECT_THAT(told.substr(last_plan, 60), HasSubstr("the goal is reached"));
   // Each placement was recognised, or it is told that it was not: "No action
   // was recognised ...", "Found done ...".
+  const std::string all = told + TextOf(dir_ / "heard.txt");
   for (const std::string part :
        {"round_peg_1", "round_peg_2", "square_peg_1", "square_peg_2", "shaft",
         "separator", "pendulum", "head", "face_plate"}) {
-    EXPECT_TRUE(HasLineWith(told, "recognised Place", part) ||
-                HasLineWith(told, "recognised Screw", part) ||
-                HasLineWith(told, "No action was recognised", part) ||
-                HasLineWith(told, "Found done", part))
+    EXPECT_TRUE(HasLineWith(all, "recognised Place", part) ||
+                HasLineWith(all, "recognised Screw", part) ||
+                HasLineWith(all, "No action was recognised", part) ||
+                HasLineWith(all, "Found done", part))
         << part << " was placed and nothing said\n"
-        << told;
+        << all << TextOf(dir_ / "glimpse.txt");
   }
   EXPECT_THAT(TextOf(dir_ / "check.txt"), Not(HasSubstr("DIFFERENT")));
   EXPECT_EQ(TextOf(dir_ / "left.txt"), "") << "left by the uninstall";

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cell/answer_t.hpp"
 #include "cell/stored_t.hpp"
 #include "common/bus/manifest.h"
 #include "common/bus/replay.h"
@@ -26,7 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 constexpr int32_t kNumTicks = 130;
 constexpr size_t kNumOfTask = 15;
@@ -216,11 +216,14 @@ TEST(LibraryService, PublishesTheOneThatIsAskedFor) {
   life.Ask("One");
   const auto two = life.Ask("Two");
   ASSERT_EQ(two.size(), 2u);
-  const auto answer = life.Request(2);
-  ASSERT_EQ(answer.size(), 1u);
-  EXPECT_EQ(DecodedAs<action_record_t>(answer[0]).name, "Two");
-  EXPECT_THAT(life.Request(3), IsEmpty());
-  EXPECT_EQ(life.Request(0).size(), 2u);
+  const auto found = life.Request(2);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(DecodedAs<action_record_t>(found[0]).name, "Two");
+  EXPECT_EQ(DecodedAs<answer_t>(found[1]).outcome, answer_t::ACCEPTED);
+  const auto missing = life.Request(3);
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_EQ(DecodedAs<answer_t>(missing[0]).outcome, answer_t::REFUSED);
+  EXPECT_EQ(life.Request(0).size(), 3u);
 }
 
 /// In a folder of its own.
