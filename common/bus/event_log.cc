@@ -1,11 +1,15 @@
 #include "common/bus/event_log.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <unordered_set>
 
 namespace cell {
 namespace {
@@ -13,8 +17,10 @@ namespace {
 constexpr uint32_t kSync = 0xEDA1DA01;
 constexpr std::array<uint8_t, 4> kSyncBytes = {0xED, 0xA1, 0xDA, 0x01};
 constexpr size_t kHeaderSize = 28;
-constexpr uint32_t kMaxChannel = 64;  // LCM's own limit is 63
-constexpr uint32_t kMaxData = 16u << 20;
+// What LCM's own reader takes: names of less than 1000 characters, and lengths
+// of data that are positive as int32.
+constexpr uint64_t kMaxChannel = 999;
+constexpr uint64_t kMaxData = INT32_MAX;
 
 std::string Error(const std::filesystem::path& path, const char* what) {
   return path.string() + ": " + what + ": " + std::strerror(errno);
@@ -41,6 +47,13 @@ EventLogWriter::EventLogWriter(const std::filesystem::path& path)
 
 void EventLogWriter::Write(int64_t utime, const std::string& channel,
                            const Bytes& bytes) {
+  if (channel.empty() || channel.size() > kMaxChannel ||
+      bytes.size() > kMaxData) {
+    throw std::runtime_error(fmt::format(
+        "{}: an LCM log cannot hold an event of {} bytes on a channel of {} "
+        "characters: at most {} bytes, and 1 to {} characters",
+        path_.string(), bytes.size(), channel.size(), kMaxData, kMaxChannel));
+  }
   Bytes header;
   header.reserve(kHeaderSize + channel.size());
   Append(kSync, 4, &header);
@@ -87,6 +100,7 @@ bool EventLogReader::HasEventsBetween(size_t begin, size_t end) const {
   const auto at = [this](size_t i) {
     return buffer_.begin() + static_cast<std::ptrdiff_t>(i);
   };
+  std::unordered_set<size_t> dead_ends;
   auto sync = at(begin + 1);
   while ((sync = std::search(sync, at(end), kSyncBytes.begin(),
                              kSyncBytes.end())) != at(end)) {
@@ -94,13 +108,37 @@ bool EventLogReader::HasEventsBetween(size_t begin, size_t end) const {
     while (position + kHeaderSize < end && HasSyncAt(position)) {
       const uint64_t channel_size = Read(buffer_, position + 20, 4);
       const uint64_t data_size = Read(buffer_, position + 24, 4);
-      if (channel_size == 0 || channel_size > kMaxChannel) break;
+      if (channel_size == 0 || channel_size > kMaxChannel ||
+          !dead_ends.insert(position).second) {
+        break;
+      }
       position += kHeaderSize + channel_size + data_size;
     }
     if (position == end) return true;
     ++sync;
   }
   return false;
+}
+
+bool EventLogReader::HasSyncBetween(size_t begin, size_t end) const {
+  const auto at = [this](size_t i) {
+    return buffer_.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  return begin < end && std::search(at(begin), at(end), kSyncBytes.begin(),
+                                    kSyncBytes.end()) != at(end);
+}
+
+// Without reading all of a long event: that would take as much memory as a
+// damaged length says.
+bool EventLogReader::IsPlausible(size_t position, size_t size) const {
+  std::array<uint8_t, 5> end{};  // the last byte, and the next sync word
+  const auto offset = offset_ + static_cast<int64_t>(position + size) - 1;
+  const ssize_t got =
+      pread(fileno(file_.get()), end.data(), end.size(), offset);
+  if (got < 0) return true;  // a pipe
+  if (got == 0) return !is_finished_;
+  return std::equal(end.begin() + 1, end.begin() + got, kSyncBytes.begin()) ||
+         !HasSyncBetween(position + 4, buffer_.size());
 }
 
 // A damaged length may swallow neighbours. So an event is not taken for whole
@@ -117,13 +155,11 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
     return Parse::kDamaged;
   }
   *size = kHeaderSize + channel_size + data_size;
-  if (left < *size) return Parse::kMoreNeeded;
+  if (left < *size) {
+    return IsPlausible(position, *size) ? Parse::kMoreNeeded : Parse::kDamaged;
+  }
   if (!HasSyncAt(position + *size)) {
-    const auto begin = buffer_.begin() + static_cast<std::ptrdiff_t>(position);
-    const auto end =
-        begin + static_cast<std::ptrdiff_t>(std::min(*size + 3, left));
-    if (std::search(begin + 4, end, kSyncBytes.begin(), kSyncBytes.end()) !=
-        end) {
+    if (HasSyncBetween(position + 4, position + std::min(*size + 3, left))) {
       return Parse::kDamaged;
     }
   } else if (HasEventsBetween(position, position + *size)) {
@@ -140,17 +176,20 @@ EventLogReader::Parse EventLogReader::ParseAt(size_t position, LogEvent* event,
   return Parse::kEvent;
 }
 
-bool EventLogReader::ReadMore() {
+bool EventLogReader::ReadMore(size_t event_size) {
   buffer_.erase(buffer_.begin(),
                 buffer_.begin() + static_cast<std::ptrdiff_t>(position_));
   offset_ += static_cast<int64_t>(position_);
   position_ = 0;
-  constexpr size_t kChunk = 1u << 20;
   const size_t old_size = buffer_.size();
-  buffer_.resize(old_size + kChunk);
+  // With the sync word behind it; a log that grows may never get so far.
+  const size_t wanted = is_finished_ ? event_size + kSyncBytes.size() : 0;
+  const size_t chunk =
+      std::max(size_t{1} << 20, wanted - std::min(wanted, old_size));
+  buffer_.resize(old_size + chunk);
   std::clearerr(file_.get());
   const size_t got =
-      std::fread(buffer_.data() + old_size, 1, kChunk, file_.get());
+      std::fread(buffer_.data() + old_size, 1, chunk, file_.get());
   buffer_.resize(old_size + got);
   return got > 0;
 }
@@ -167,7 +206,7 @@ std::optional<LogEvent> EventLogReader::Next() {
       return event;
     }
     if (parse == Parse::kMoreNeeded) {
-      if (ReadMore()) continue;
+      if (ReadMore(size)) continue;
       if (!is_finished_ || position_ == buffer_.size()) return std::nullopt;
     }
     SkipToNextSync();

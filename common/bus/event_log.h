@@ -27,6 +27,8 @@ class EventLogWriter {
   /// @throws std::runtime_error naming the file if it cannot be created.
   explicit EventLogWriter(const std::filesystem::path& path);
 
+  /// @throws std::runtime_error naming the file, also if no LCM log can hold
+  /// such an event.
   void Write(int64_t utime, const std::string& channel, const Bytes& bytes);
   /// Hands all that was written to the system: it survives the process.
   /// @throws std::runtime_error naming the file, e.g. when the disk is full.
@@ -71,7 +73,9 @@ class EventLogReader {
   Parse ParseAt(size_t position, LogEvent* event, size_t* size) const;
   bool HasSyncAt(size_t position) const;
   bool HasEventsBetween(size_t begin, size_t end) const;
-  bool ReadMore();
+  bool HasSyncBetween(size_t begin, size_t end) const;
+  bool IsPlausible(size_t position, size_t size) const;
+  bool ReadMore(size_t event_size);
   void SkipToNextSync();
 
   std::unique_ptr<std::FILE, Close> file_;

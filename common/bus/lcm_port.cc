@@ -135,8 +135,9 @@ void LcmPort::Drain() {
 void LcmPort::OnMessage(const lcm::ReceiveBuffer* buffer,
                         const std::string& channel,
                         Subscription* subscription) {
-  // A channel name without its NUL arrives with a size of 2^32 - 1.
-  constexpr uint32_t kMaxSize = 16u << 20;
+  // A channel name without its NUL arrives with a size of 2^32 - 1; LCM
+  // assembles no message of more than 2^28.
+  constexpr uint32_t kMaxSize = 1u << 28;
   if (buffer->data_size > kMaxSize) return;
   const auto* data = static_cast<const uint8_t*>(buffer->data);
   try {

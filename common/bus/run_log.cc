@@ -82,6 +82,10 @@ void RunLog::Read(const std::filesystem::path& log) {
 }
 
 void RunLog::Check() {
+  const int32_t begin = ticks_.begin()->first;
+  if (begin > 0) {
+    problems_.push_back(fmt::format("ticks 0 to {} are missing", begin - 1));
+  }
   const Tick* previous = nullptr;
   for (auto& [k, tick] : ticks_) {
     std::stable_sort(tick.messages.begin(), tick.messages.end(), OrderedBefore);

@@ -105,6 +105,55 @@ TEST_F(EventLog, ASyncWordWithinAMessageIsNoDamage) {
   EXPECT_EQ(num_damages_, 0u);
 }
 
+TEST_F(EventLog, WhatLcmReadsIsReadHoweverLong) {
+  const std::string long_name(999, 'c');
+  {
+    EventLogWriter writer(Path());
+    writer.Write(0, "A", Bytes(40, 0));
+    writer.Write(1, "B", Bytes(size_t{20} << 20, 1));
+    writer.Write(2, long_name, Bytes(40, 2));
+    writer.Write(3, "D", Bytes(size_t{20} << 20, 3));
+  }
+  EXPECT_THAT(ReadChannels(), testing::ElementsAre("A", "B", long_name, "D"));
+  EXPECT_EQ(num_damages_, 0u);
+  lcm::LogFile stock(Path().string(), "r");
+  int num_stock = 0;
+  while (stock.readNextEvent() != nullptr) ++num_stock;
+  EXPECT_EQ(num_stock, 4);
+}
+
+TEST_F(EventLog, ALengthThatIsMuchTooLongCostsOneEvent) {
+  Write(5);
+  const std::string whole = Contents();
+  const size_t event_size = whole.size() / 5;
+  // Far beyond the end of the file, and within it.
+  for (const auto& [byte, value] : {std::pair{24, 0x7F}, {24, 1}, {25, 0x20}}) {
+    std::string bytes = whole + std::string(size_t{3} << 20, '\0');
+    bytes[event_size + static_cast<size_t>(byte)] = static_cast<char>(value);
+    Overwrite(bytes);
+    EXPECT_THAT(ReadChannels(), testing::ElementsAre("C0", "C2", "C3", "C4"));
+  }
+}
+
+TEST_F(EventLog, AnEventThatNoLogCanHoldIsRefusedWithItsLengths) {
+  EventLogWriter writer(Path());
+  for (const std::string& channel : {std::string(), std::string(1000, 'c')}) {
+    try {
+      writer.Write(0, channel, Bytes(40, 0));
+      ADD_FAILURE() << channel.size() << " characters were written";
+    } catch (const std::runtime_error& e) {
+      EXPECT_THAT(
+          e.what(),
+          testing::AllOf(testing::HasSubstr("cell.lcmlog"),
+                         testing::HasSubstr(std::to_string(channel.size()) +
+                                            " characters")));
+    }
+  }
+  writer.Write(1, "A", Bytes(40, 0));
+  writer.Flush();
+  EXPECT_THAT(ReadChannels(), testing::ElementsAre("A"));
+}
+
 TEST_F(EventLog, ATruncatedOneKeepsAllBeforeTheCut) {
   Write(5);
   const std::string whole = Contents();

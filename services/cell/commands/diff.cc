@@ -41,9 +41,18 @@ std::optional<std::string> Difference(const RunLog::Tick& a,
   return std::nullopt;
 }
 
+bool IsWhole(const std::string& path, const RunLog& run) {
+  for (const std::string& problem : run.problems()) {
+    std::cerr << path << ": " << problem << "\n";
+  }
+  return run.problems().empty();
+}
+
 int RunDiff(const std::string& first, const std::string& second) {
   const RunLog a = RunLog::Load(first);
   const RunLog b = RunLog::Load(second);
+  const bool is_a_whole = IsWhole(first, a);
+  const bool is_b_whole = IsWhole(second, b);
   for (const auto& [tick, in_a] : a.ticks()) {
     const auto in_b = b.ticks().find(tick);
     if (in_b == b.ticks().end()) {
@@ -60,6 +69,16 @@ int RunDiff(const std::string& first, const std::string& second) {
     std::cout << fmt::format("the first run has no tick {}\n", tick);
     return 1;
   }
+  if (!is_a_whole || !is_b_whole) {
+    std::cout << fmt::format(
+        "{} ticks in both; whether the runs are the same cannot be told: {} "
+        "damaged or incomplete\n",
+        a.ticks().size(),
+        is_a_whole   ? "the second log is"
+        : is_b_whole ? "the first log is"
+                     : "both logs are");
+    return 1;
+  }
   std::cout << fmt::format("{} ticks, all the same\n", a.ticks().size());
   return 0;
 }
@@ -70,7 +89,8 @@ void AddDiff(CLI::App& app, Action* action) {
   auto runs = std::make_shared<std::pair<std::string, std::string>>();
   CLI::App* command = app.add_subcommand(
       "diff",
-      "Find the first tick and channel in which two runs differ.\n"
+      "Find the first tick and channel in which two runs differ. Exit code 1 "
+      "if they do, or if a damaged log leaves it open.\n"
       "Example: cell diff runs/demo-0001 runs/sim-0001");
   command->add_option("first", runs->first, "run folder")->required();
   command->add_option("second", runs->second, "run folder")->required();

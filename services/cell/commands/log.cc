@@ -37,8 +37,8 @@ std::vector<fs::path> LogsAt(const std::string& path) {
 std::string Summary(const LogIndex& index, const LogAudit& audit) {
   if (audit.manifests.empty()) {
     return fmt::format(
-        "{} events, no TICK of this cell's message types among them: whether "
-        "any are lost cannot be told",
+        "{} events, no TICK of this cell's message types among them: what is "
+        "missing between them cannot be told",
         index.entries.size());
   }
   std::string text =
@@ -102,7 +102,7 @@ int RunCheck(const LogOptions& options) {
           Printable(stock.end));
     }
   }
-  return audit.findings.empty() && !audit.manifests.empty() ? 0 : 1;
+  return audit.findings.empty() ? 0 : 1;
 }
 
 int RunRepair(const LogOptions& options) {
@@ -128,8 +128,8 @@ int RunConvert(const LogOptions& options) {
   std::cout << fmt::format(
       "{}: {}\n{}: {} events, {}\n", Printable(options.log),
       Summary(index, audit), options.out, num,
-      audit.findings.empty() ? "complete" : "NOT COMPLETE: see above");
-  return audit.findings.empty() ? 0 : 1;
+      audit.is_complete ? "complete" : "NOT COMPLETE: see above");
+  return audit.is_complete ? 0 : 1;
 }
 
 CLI::App* AddLogCommand(CLI::App& group, const char* name, const char* help,
@@ -158,13 +158,15 @@ void AddLog(CLI::App& app, Action* action) {
   const auto options = std::make_shared<LogOptions>();
   AddLogCommand(*group, "check",
                 "Find all damage, and every message that is lost: held against "
-                "the manifests. Exit code 1 if there is any.\n"
+                "the manifests. Exit code 1 if there is any. Of a log without "
+                "TICKs it can find damage only.\n"
                 "Example: cell log check runs/sim-0001 --stock",
                 options, RunCheck, action)
       ->add_flag("--stock", options->is_stock,
                  "say also what LCM's own reader returns");
   AddLogCommand(*group, "repair",
-                "Save what can be saved of a damaged log.\n"
+                "Save what can be saved of a damaged log, and name what "
+                "cannot. Exit code 0 once the new log is written.\n"
                 "Example: cell log repair broken.lcmlog --out good.lcmlog",
                 options, RunRepair, action)
       ->add_option("--out", options->out, "log to write")

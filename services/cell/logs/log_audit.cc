@@ -1,6 +1,7 @@
 #include "services/cell/logs/log_audit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -10,8 +11,11 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/manifest.h"
+#include "common/bus/roster.h"
 #include "services/cell/logs/foreign_types.h"
 #include "services/cell/logs/log_frames.h"
+#include "services/cell/logs/run_extent.h"
+#include "services/cell/logs/sequence_gaps.h"
 
 namespace cell::cli {
 namespace {
@@ -31,15 +35,18 @@ bool IsCanonical(const LogIndex& index) {
   return num > 0;
 }
 
+// A run of more lost TICKs is said in one line.
+constexpr int32_t kMaxLines = 1000;
+
 class Auditor {
  public:
   explicit Auditor(const LogIndex& index) : index_(index) {
     audit_.is_canonical = IsCanonical(index);
     audit_.manifests = FindManifests(index);
+    extent_ = RunExtent(index, audit_.manifests, audit_.is_canonical);
     for (size_t i = 0; i < index.entries.size(); ++i) {
       const LogEntry& entry = index.entries[i];
       if (IsOfProtocol(entry)) continue;
-      heard_.insert(entry.message.tick);
       if (entry.is_tick) continue;
       const int32_t tick = entry.message.tick;
       named_by_[entry.message.sender == 0 || tick == INT32_MAX ? tick
@@ -51,9 +58,12 @@ class Auditor {
   LogAudit Audit() {
     audit_.findings = FindOddFrames(index_, audit_.is_canonical);
     if (!audit_.manifests.empty()) {
+      audit_.is_complete = true;
       FindLostTicks();
+      PutLives();
       for (const auto& [tick, link] : audit_.manifests) CheckTick(tick, link);
       KeepUnproved();
+      FindLostSequences();
       FindOddTicks();
     }
     for (LogFinding& finding :
@@ -77,15 +87,25 @@ class Auditor {
     audit_.findings.push_back(FindingAt(index_, i, std::move(text)));
   }
 
+  void ReportLoss(int32_t tick, const std::string& channel, std::string text) {
+    audit_.is_complete = false;
+    Report(tick, channel, std::move(text));
+  }
+
   void FindLostTicks() {
-    const auto& manifests = audit_.manifests;
-    int32_t expected = manifests.begin()->first;
-    for (const auto& [tick, link] : manifests) {
-      if (tick == expected + 1) {
-        Report(expected, kTickChannel, "is lost: its messages are unproved");
-      } else if (tick > expected) {
-        Report(expected, "",
-               fmt::format("ticks {} to {} are lost", expected, tick - 1));
+    const int32_t begin = extent_.begin();
+    const int32_t first = audit_.manifests.begin()->first;
+    if (begin > 0) {
+      ReportLoss(
+          0, "",
+          fmt::format("the log begins with tick {}{}", first,
+                      begin < first ? ", but for parts of earlier ones" : ""));
+    }
+    int32_t expected = begin;
+    for (const auto& [tick, link] : audit_.manifests) {
+      if (tick > expected) {
+        ReportLostTicks(expected, tick - 1);
+        gaps_.emplace_back(expected, tick - 1);
       }
       if (!link.entry) {
         Report(tick, kTickChannel,
@@ -93,12 +113,40 @@ class Auditor {
       }
       expected = tick + 1;
     }
-    const auto& [first, first_link] = *manifests.begin();
-    if (first > 0) {
-      Report(0, "", fmt::format("the log begins with tick {}", first));
+    if (extent_.is_whole_end()) return;
+    if (extent_.end() >= expected) {
+      ReportLostTicks(expected, extent_.end());
+      gaps_.emplace_back(expected, extent_.end());
     }
-    if (manifests.rbegin()->second.tick.is_last == 0) {
-      Report(expected - 1, "", "the log ends before the cell's last TICK");
+    ReportLoss(extent_.end(), "", "the log ends before the cell's last TICK");
+  }
+
+  void ReportLostTicks(int32_t first, int32_t last) {
+    if (int64_t{last} - first >= kMaxLines) {
+      ReportLoss(first, kTickChannel,
+                 fmt::format("all up to tick {} are lost: their messages are "
+                             "unproved",
+                             last));
+      return;
+    }
+    for (int32_t tick = first; tick <= last; ++tick) {
+      ReportLoss(tick, kTickChannel, "is lost: its messages are unproved");
+    }
+  }
+
+  void PutLives() {
+    if (extent_.begin() == 0) {
+      for (const auto& [channel, sender] : extent_.flows()) {
+        sequences_.PutBirth(sender, 0);
+      }
+    }
+    for (const auto& [tick, link] : audit_.manifests) {
+      for (const joined_t& joined : link.tick.joined) {
+        sequences_.PutBirth(joined.sender, tick);
+        if (joined.death_tick >= 0) {
+          sequences_.PutDeath(joined.sender - kMaxServices, joined.death_tick);
+        }
+      }
     }
   }
 
@@ -109,6 +157,8 @@ class Auditor {
     std::vector<size_t> entries = named_by_[tick];
     named_by_.erase(tick);
     for (const MessageId& id : MessagesIn(link.tick.flows)) {
+      const int32_t said_in = id.sender == 0 ? tick : tick - 1;
+      sequences_.Put(id.channel, id.sender, id.seq, said_in);
       const auto has_id = [&](size_t i) {
         const Message& m = At(i).message;
         return m.channel == id.channel && m.sender == id.sender &&
@@ -119,7 +169,7 @@ class Auditor {
             return has_id(i) && At(i).message.digest == id.digest;
           });
       if (match != entries.end()) {
-        if (!IsBeforeFirstTick(At(*match).message.tick)) {
+        if (At(*match).message.tick >= extent_.begin()) {
           Keep(At(*match).message, *match, nullptr);
         }
         entries.erase(match);
@@ -127,6 +177,7 @@ class Auditor {
       }
       const auto damaged = std::find_if(entries.begin(), entries.end(), has_id);
       if (damaged != entries.end() && audit_.is_canonical) {
+        audit_.is_complete = false;
         ReportEntry(
             *damaged,
             fmt::format("sender {} seq {} is damaged: its digest is "
@@ -135,10 +186,10 @@ class Auditor {
                         std::bit_cast<uint64_t>(At(*damaged).message.digest),
                         tick, std::bit_cast<uint64_t>(id.digest)));
         entries.erase(damaged);
-      } else if (!IsBeforeTheLog(tick, id.sender)) {
-        Report(id.sender == 0 ? tick : tick - 1, id.channel,
-               fmt::format("sender {} seq {}, which TICK {} names, is lost",
-                           id.sender, id.seq, tick));
+      } else if (said_in >= extent_.begin()) {
+        ReportLoss(said_in, id.channel,
+                   fmt::format("sender {} seq {}, which TICK {} names, is lost",
+                               id.sender, id.seq, tick));
       }
     }
     for (const size_t i : entries) Unnamed(i);
@@ -154,20 +205,6 @@ class Auditor {
     }
   }
 
-  // A recorder that joins hears neither the clock's messages of that tick nor
-  // anything older.
-  bool IsBeforeTheLog(int32_t tick, int32_t sender) const {
-    if (tick == 0 || heard_.contains(tick - 1)) {
-      return sender != 0 && IsBeforeFirstTick(tick - 1);
-    }
-    return true;
-  }
-  // A recording that began within a tick holds no more than a part of it.
-  bool IsBeforeFirstTick(int32_t tick) const {
-    return tick < 0 ||
-           (!audit_.is_canonical && tick < audit_.manifests.begin()->first);
-  }
-
   void Unnamed(size_t i) {
     if (audit_.is_canonical) {
       ReportEntry(i, fmt::format("sender {} seq {}: no TICK names it",
@@ -178,22 +215,44 @@ class Auditor {
   }
 
   // What no TICK can name, for it is lost, is kept; what a cell says after its
-  // last TICK is none of the run.
+  // last TICK is none of the run, nor what a service said in the tick in which
+  // it died.
   void KeepUnproved() {
-    const auto& [last, last_link] = *audit_.manifests.rbegin();
-    for (const auto& [tick, entries] : named_by_) {
-      const bool is_of_run =
-          tick >= audit_.manifests.begin()->first - 1 &&
-          tick <= last + (last_link.tick.is_last != 0 ? 0 : 2);
+    std::set<std::tuple<std::string, int32_t, int32_t, int64_t>> kept;
+    for (const auto& [named_in, entries] : named_by_) {
       for (const size_t i : entries) {
-        if (!is_of_run) {
+        const Message& m = At(i).message;
+        if (!extent_.Contains(i, named_in) ||
+            sequences_.IsDeadIn(m.sender, m.tick) ||
+            !kept.emplace(m.channel, m.sender, m.seq, m.digest).second) {
           Unnamed(i);
           continue;
         }
-        if (IsBeforeFirstTick(At(i).message.tick)) continue;
-        Keep(At(i).message, i, nullptr);
+        Keep(m, i, nullptr);
         ++audit_.num_unproved;
+        if (extent_.IsTrusted(i)) {
+          sequences_.Put(m.channel, m.sender, m.seq, m.tick);
+        }
       }
+    }
+  }
+
+  // With TICKs, messages may be lost that only they have named.
+  void FindLostSequences() {
+    if (gaps_.empty() && extent_.is_whole_end()) return;
+    for (LogFinding& finding : sequences_.Find()) {
+      audit_.is_complete = false;
+      audit_.findings.push_back(std::move(finding));
+    }
+    for (const auto& [first, last] : gaps_) {
+      auto ends = sequences_.EndsIn(first, last);
+      ends.push_back("nor of any that said nothing else");
+      Report(first, "",
+             fmt::format(
+                 "what only TICK {}{} named is known by the next message of "
+                 "its channel and sender. There is none after: {}",
+                 first, first == last ? "" : fmt::format(" to {}", last),
+                 fmt::join(ends, ", ")));
     }
   }
 
@@ -226,8 +285,10 @@ class Auditor {
 
   const LogIndex& index_;
   LogAudit audit_;
+  RunExtent extent_;
   std::map<int32_t, std::vector<size_t>> named_by_;  // TICK -> entries
-  std::set<int32_t> heard_;  // ticks of which there is an event
+  std::vector<std::pair<int32_t, int32_t>> gaps_;    // lost TICKs: first, last
+  SequenceGaps sequences_;
 };
 
 }  // namespace

@@ -33,6 +33,9 @@ struct LogAudit {
   std::map<int32_t, ManifestLink> manifests;  ///< none: a foreign log
   std::vector<LogFinding> findings;           ///< empty: whole
   std::vector<KeptEvent> kept;                ///< in canonical order
+  /// True if `kept` is the whole run, from its first TICK to its last: what is
+  /// damaged follows from the rest.
+  bool is_complete = false;
   /// Messages that no manifest names, of a recording that is not canonical.
   int64_t num_unnamed = 0;
   /// Kept although the TICK that named them is lost.
@@ -40,7 +43,9 @@ struct LogAudit {
 };
 
 /// Holds a log against its manifests, its own numbers and stamps, and the
-/// cell's message types. Pure.
+/// cell's message types. Names every message that is lost, also where the TICK
+/// that named it is, by the numbers of those after it; where none came after
+/// it, says after which one it cannot tell. Pure.
 LogAudit AuditLog(const LogIndex& index);
 
 }  // namespace cell::cli

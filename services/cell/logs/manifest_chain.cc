@@ -98,7 +98,9 @@ class ChainFinder {
       if (tick > 0) ticks.insert(tick - 1);  // it may be rebuilt
     }
     for (const int32_t tick : ticks) {
+      if (chain_.contains(tick)) continue;
       auto link = chain_.contains(tick + 1) ? ByTheNext(tick) : ByItself(tick);
+      if (!link && RebuildUpTo(tick)) continue;
       if (link) chain_.emplace(tick, std::move(*link));
     }
     return std::move(chain_);
@@ -114,13 +116,43 @@ class ChainFinder {
     const ManifestLink* before = Seen(tick - 1);
     if (tick > 0 && before == nullptr) return std::nullopt;
     const ManifestLink* seen = Seen(tick);
-    const auto named = messages_.find(tick);
     const bool is_last = seen != nullptr && seen->tick.is_last != 0 &&
                          tick == candidates_.rbegin()->first;
-    return Guess(
-        tick, before == nullptr ? 0 : before->message.digest,
-        named == messages_.end() ? std::vector<Message>{} : named->second,
-        seen == nullptr ? nullptr : &seen->tick, is_last);
+    return Guess(tick, before == nullptr ? 0 : before->message.digest,
+                 NamedBy(tick), seen == nullptr ? nullptr : &seen->tick,
+                 is_last);
+  }
+
+  std::vector<Message> NamedBy(int32_t tick) const {
+    const auto named = messages_.find(tick);
+    return named == messages_.end() ? std::vector<Message>{} : named->second;
+  }
+
+  // Guesses all that are lost from the last one that was seen up to `tick`, and
+  // takes them if the one after it confirms the last.
+  bool RebuildUpTo(int32_t tick) {
+    const auto next = chain_.find(tick + 1);
+    const auto after = candidates_.lower_bound(tick);
+    if (next == chain_.end() || after == candidates_.begin()) return false;
+    const auto& [seen_tick, offers] = *std::prev(after);
+    // In a run there is something to name in almost every tick.
+    if (static_cast<size_t>(tick - seen_tick) > 2 * messages_.size()) {
+      return false;
+    }
+    for (const ManifestLink& offer : offers) {
+      std::map<int32_t, ManifestLink> guesses;
+      int64_t digest = offer.message.digest;
+      for (int32_t k = seen_tick + 1; k <= tick; ++k) {
+        ManifestLink guess = Guess(k, digest, NamedBy(k), nullptr, false);
+        guess.is_proved = true;
+        digest = guess.message.digest;
+        guesses.emplace(k, std::move(guess));
+      }
+      if (digest != next->second.tick.previous_digest) continue;
+      chain_.merge(guesses);
+      return true;
+    }
+    return false;
   }
 
   std::optional<ManifestLink> ByTheNext(int32_t tick) const {

@@ -24,8 +24,9 @@ struct ManifestLink {
 /// Finds the manifests of a run in a damaged log. Each TICK carries the digest
 /// of the one before: so all but the last are beyond doubt, whatever a log
 /// offers, and one that is damaged can be guessed from its messages, and the
-/// guess be proved. The last one, and one before a gap, is believed if it is
-/// sound, and taken as guessed if it differs from that in a single byte. Pure.
+/// guess be proved; so can several in a row. The last one, and one before a
+/// gap, is believed if it is sound, and taken as guessed if it differs from
+/// that in a single byte. Pure.
 std::map<int32_t, ManifestLink> FindManifests(const LogIndex& index);
 
 }  // namespace cell::cli

@@ -20,8 +20,9 @@ void Require(bool is_done, const char* step) {
 
 // Says the number of events so far after each of them.
 [[noreturn]] void ReadInChild(const std::filesystem::path& log, int out) {
-  constexpr rlim_t kMemory = rlim_t{1} << 30;
-  const rlimit memory{kMemory, kMemory};
+  // No event is longer than the file.
+  const rlim_t size = (rlim_t{1} << 30) + std::filesystem::file_size(log);
+  const rlimit memory{size, size};
   setrlimit(RLIMIT_AS, &memory);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
