@@ -17,6 +17,9 @@
 #include "tests/sim/skill_watch.h"
 
 namespace cell {
+
+using namespace cli;
+
 namespace {
 
 constexpr double kStays = 0.5e-3;  // [m] that what is placed may move

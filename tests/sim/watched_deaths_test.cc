@@ -14,6 +14,9 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace cli;
+
 namespace {
 
 using testing::HasSubstr;

@@ -7,6 +7,9 @@
 #include <utility>
 
 namespace cell {
+
+using namespace cli;
+
 namespace {
 
 using Seen = std::set<std::pair<std::string, StopKind>>;
