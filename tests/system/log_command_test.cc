@@ -84,6 +84,12 @@ class LogCommand : public RunCell {
     return false;
   }
 
+  static bool IsOfSameFlow(const Event& a, const Event& b) {
+    return std::get<1>(a) == std::get<1>(b) &&
+           ReadWireHeader(std::get<2>(a)).sender ==
+               ReadWireHeader(std::get<2>(b)).sender;
+  }
+
   // A run folder with a log of these TICKs of a run of 6, which name nothing.
   void WriteTicks(const char* run, const std::vector<int32_t>& left) const {
     fs::create_directories(dir_ / run);
@@ -118,7 +124,14 @@ TEST_F(LogCommand, ARecordingOfLcmLoggerIsTheRecordersButForWhatIsNamed) {
   for (const Event& event : own) {
     if (converted.contains(event)) continue;
     ++num_lost;
-    if (!IsTold(event, convert.output)) untold.push_back(std::get<1>(event));
+    const bool is_only_one = std::none_of(
+        converted.begin(), converted.end(),
+        [&](const Event& other) { return IsOfSameFlow(event, other); });
+    const bool is_told =
+        IsTold(event, convert.output) ||
+        (is_only_one && convert.output.find("nor of any that said nothing") !=
+                            std::string::npos);
+    if (!is_told) untold.push_back(std::get<1>(event));
   }
   EXPECT_THAT(untold, IsEmpty()) << convert.output;
   EXPECT_EQ(convert.code, num_lost == 0 ? 0 : 1) << convert.output;
@@ -186,6 +199,31 @@ TEST_F(LogCommand, CheckAndRepairOfADamagedRunSayWhatIsLost) {
   EXPECT_GE(saved.size() + 2, all.size());
   EXPECT_TRUE(
       std::includes(all.begin(), all.end(), saved.begin(), saved.end()));
+  // A burst of datagrams that were lost, or only the TICKs of it.
+  for (const bool is_ticks_only : {true, false}) {
+    {
+      EventLogReader reader(dir_ / "a/cell-0001.lcmlog");
+      reader.Finish();
+      EventLogWriter writer(dir_ / "burst");
+      while (const auto event = reader.Next()) {
+        const int32_t tick = ReadWireHeader(event->bytes).tick;
+        if (tick >= 924 && tick <= 927 &&
+            (!is_ticks_only || event->channel == kTickChannel)) {
+          continue;
+        }
+        writer.Write(event->utime, event->channel, event->bytes);
+      }
+    }
+    fs::remove(dir_ / "kept");
+    const ShellResult repair = Cell("log repair burst --out kept");
+    const auto kept = EventsOf(dir_ / "kept");
+    size_t num_untold = 0;
+    for (const Event& event : all) {
+      num_untold += !kept.contains(event) && !IsTold(event, repair.output);
+    }
+    EXPECT_EQ(num_untold, 0u) << repair.output;
+    EXPECT_TRUE(!is_ticks_only || kept == all);
+  }
   // Nothing is overwritten.
   const ShellResult again = Cell("log repair bad --out good");
   EXPECT_EQ(again.code, 1);

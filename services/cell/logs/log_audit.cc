@@ -35,8 +35,7 @@ bool IsCanonical(const LogIndex& index) {
   return num > 0;
 }
 
-// A run of more lost TICKs is said in one line.
-constexpr int32_t kMaxLines = 1000;
+constexpr int32_t kMaxLines = 1000;  // for a run of lost TICKs
 
 class Auditor {
  public:
@@ -247,12 +246,15 @@ class Auditor {
     for (const auto& [first, last] : gaps_) {
       auto ends = sequences_.EndsIn(first, last);
       ends.push_back("nor of any that said nothing else");
+      const auto beginnings = sequences_.BeginningsUpTo(last);
       Report(first, "",
              fmt::format(
                  "what only TICK {}{} named is known by the next message of "
-                 "its channel and sender. There is none after: {}",
+                 "its channel and sender. There is none after: {}{}{}",
                  first, first == last ? "" : fmt::format(" to {}", last),
-                 fmt::join(ends, ", ")));
+                 fmt::join(ends, ", "),
+                 beginnings.empty() ? "" : "; none known before: ",
+                 fmt::join(beginnings, ", ")));
     }
   }
 

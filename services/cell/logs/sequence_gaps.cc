@@ -32,6 +32,10 @@ void Name(const std::string& channel, int32_t sender, int32_t from, int32_t to,
   }
 }
 
+int32_t NamedIn(int32_t sender, int32_t tick) {
+  return sender == 0 ? tick : tick + 1;
+}
+
 }  // namespace
 
 void SequenceGaps::Put(const std::string& channel, int32_t sender, int32_t seq,
@@ -70,12 +74,27 @@ std::vector<std::string> SequenceGaps::EndsIn(int32_t first,
   for (const auto& [flow, places] : flows_) {
     const auto& [channel, sender] = flow;
     const Place& end = *std::max_element(places.begin(), places.end());
-    const int32_t named_in = sender == 0 ? end.tick : end.tick + 1;
-    if (named_in > last || IsDeadIn(sender, first - 1)) continue;
+    if (NamedIn(sender, end.tick) > last || IsDeadIn(sender, first - 1))
+      continue;
     ends.push_back(
         fmt::format("{} sender {} seq {}", channel, sender, end.seq));
   }
   return ends;
+}
+
+std::vector<std::string> SequenceGaps::BeginningsUpTo(int32_t last) const {
+  std::vector<std::string> beginnings;
+  for (const auto& [flow, places] : flows_) {
+    const auto& [channel, sender] = flow;
+    const Place& begin = *std::min_element(places.begin(), places.end());
+    if (begin.seq == 0 || births_.contains(sender) ||
+        NamedIn(sender, begin.tick) <= last) {
+      continue;
+    }
+    beginnings.push_back(
+        fmt::format("{} sender {} seq {}", channel, sender, begin.seq));
+  }
+  return beginnings;
 }
 
 }  // namespace cell::cli

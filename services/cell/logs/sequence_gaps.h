@@ -28,6 +28,9 @@ class SequenceGaps {
   /// Sequences that may have ended in the TICKs `first` to `last`, by their
   /// last known message, as "CHANNEL sender 2 seq 20".
   std::vector<std::string> EndsIn(int32_t first, int32_t last) const;
+  /// Sequences that may have begun in or before the TICKs up to `last`, by
+  /// their first known message.
+  std::vector<std::string> BeginningsUpTo(int32_t last) const;
 
  private:
   struct Place {
