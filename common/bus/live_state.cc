@@ -45,8 +45,8 @@ void Replace(const std::filesystem::path& path, const std::string& text) {
   const bool is_written = write(file, text.data(), text.size()) ==
                               static_cast<ssize_t>(text.size()) &&
                           fsync(file) == 0;
-  close(file);
-  if (!is_written) Fail(next, "cannot be written");
+  const bool is_closed = close(file) == 0;
+  if (!is_written || !is_closed) Fail(next, "cannot be written");
   std::filesystem::rename(next, path);
 }
 

@@ -133,5 +133,31 @@ TEST_F(Output, OfRunsThatAskForOneFolderOneHasIt) {
   EXPECT_EQ(Cell("log check a").code, 0);
 }
 
+TEST_F(Output, AChannelsNameDoesNothingToTheTerminal) {
+  {
+    EventLogWriter writer(dir_ / "evil");
+    writer.Write(0, "A\x1b[2J\nwhole\n0 findings", Bytes(40, 1));
+    writer.Write(1, "TRACKS\x1b", Bytes(40, 2));
+  }
+  Put("e\x1b[2Jvil", "no log");
+  for (const char* command :
+       {"log check evil", "log check e?*vil", "log convert evil --out x",
+        "log repair evil --out y", "view '\x1b[2J'"}) {
+    const std::string output = Cell(command).output;
+    EXPECT_EQ(output.find('\x1b'), std::string::npos) << command;
+    EXPECT_EQ(output.find("\n0 findings\n"), std::string::npos) << command;
+  }
+}
+
+TEST_F(Output, WhatCannotBePrintedIsAFailure) {
+  for (const char* command :
+       {"--help", "sim --help", "types --out t", "doctor"}) {
+    const ShellResult run = Shell("(cd " + dir_.string() + " && " + kCell +
+                                  " " + command + " 2>&1 >/dev/full)");
+    EXPECT_EQ(run.code, 1) << command;
+    EXPECT_THAT(run.output, HasSubstr("No space left on device")) << command;
+  }
+}
+
 }  // namespace
 }  // namespace cell

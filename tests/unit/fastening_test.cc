@@ -12,6 +12,7 @@
 #include "cell/tracks_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/stepper.h"
+#include "common/kinematics/joint_values.h"
 #include "common/sec/track.h"
 #include "services/robot_arm/robot_arm.h"
 #include "services/robot_arm/tool_kinematics.h"
@@ -110,7 +111,8 @@ class ArmThatHoldsTheHead : public FasteningTest {
   void Run(int num_ticks) {
     for (int i = 0; i < num_ticks; ++i) {
       arm_state_t state{};
-      std::copy_n(grasp_.q_grasp.data(), 6, state.position);
+      ToMessage(grasp_.q_grasp, &state.num_joints, &state.position);
+      ToMessage(Joints::Zero(), &state.num_joints, &state.velocity);
       state.opening = grasp_.width;
       state.stance = grasp_.grip;
       state.grip = arm_state_t::GRIPPING;
