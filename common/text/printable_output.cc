@@ -1,6 +1,10 @@
 #include "common/text/printable_output.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <iostream>
+#include <string>
 
 #include "common/text/printable.h"
 
@@ -45,6 +49,18 @@ PrintableOutput::~PrintableOutput() {
   std::cerr.flush();
   std::cout.rdbuf(out_.target());
   std::cerr.rdbuf(error_.target());
+}
+
+int PrintableOutput::Finish(int code) {
+  if (std::cout.flush() && std::fflush(stdout) == 0) return code;
+  // Once more, for the reason.
+  errno = 0;
+  std::fputc('\n', stdout);
+  std::fflush(stdout);
+  std::cerr << "standard output cannot be written"
+            << (errno != 0 ? std::string(": ") + std::strerror(errno) : "")
+            << std::endl;
+  return code != 0 ? code : 1;
 }
 
 void WriteTerminalCode(std::ostream& stream, const std::string& code) {

@@ -37,6 +37,11 @@ class PrintableOutput {
   PrintableOutput(const PrintableOutput&) = delete;
   PrintableOutput& operator=(const PrintableOutput&) = delete;
 
+  /// The exit code of a program that has otherwise ended with `code`: 1 instead
+  /// of 0, with the reason on std::cerr, if what went to std::cout has not all
+  /// been written, to a full disk say.
+  int Finish(int code);
+
  private:
   PrintableBuffer out_;
   PrintableBuffer error_;

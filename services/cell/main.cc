@@ -1,8 +1,5 @@
 // cell: the operator's command line.
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
 #include <iostream>
 
@@ -10,12 +7,9 @@
 #include "common/text/printable_output.h"
 #include "services/cell/commands/commands.h"
 
-namespace {
-
-int Run(int argc, char** argv) {
+static int Run(int argc, char** argv) {
   CLI::App app(
-      "A robot cell that is taught by showing.\n"
-      "Example: cell demo --seed 7");
+      "A robot cell that is taught by showing.\nExample: cell demo --seed 7");
   app.require_subcommand(1);
   cell::cli::Action action;
   cell::cli::AddAllCommands(app, &action);
@@ -30,23 +24,7 @@ int Run(int argc, char** argv) {
   }
 }
 
-// False if not all of it could be written, to a full disk say.
-bool FlushOutput() {
-  if (std::cout.flush() && std::fflush(stdout) == 0) return true;
-  // Once more, for the reason.
-  errno = 0;
-  std::fputc('\n', stdout);
-  std::fflush(stdout);
-  std::cerr << "cell: standard output cannot be written"
-            << (errno != 0 ? std::string(": ") + std::strerror(errno) : "")
-            << std::endl;
-  return false;
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
-  const cell::PrintableOutput printable_output;
-  const int code = Run(argc, argv);
-  return FlushOutput() || code != 0 ? code : 1;
+  cell::PrintableOutput output;
+  return output.Finish(Run(argc, argv));
 }
