@@ -150,6 +150,10 @@ TEST_F(CameraCommand, ARosterWithoutCamerasSaysSo) {
   const fs::path yaml = dir_ / "deploy" / "config" / "roster.yaml";
   const std::string text = TextOf(yaml);
   std::ofstream(yaml) << text.substr(0, text.find("  - {name: camera_set@1"));
+  // Who is not there is not to be missed.
+  const fs::path table = dir_ / "deploy" / "config" / "supervisor.yaml";
+  const std::string missed = TextOf(table);
+  std::ofstream(table) << missed.substr(0, missed.find("  camera_set@1"));
   const ShellResult run = Cell("sim --cameras" + kShort + "--out a");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.output,

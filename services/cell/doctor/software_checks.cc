@@ -117,9 +117,10 @@ Diagnosis CheckTypes(const Machine& machine, const Site& site) {
   }
   return Diagnosis::Bad(
       fmt::format("the programs were built with other texts than those in {}: "
-                  "{}. Build anew; to have the old texts back:",
+                  "{}. Build anew; to have the old texts back, beside these:",
                   folder, fmt::join(odd, ", ")),
-      fmt::format("{}/cell types --out {}", site.program_dir, folder));
+      fmt::format("mv {0} {0}.other && {1}/cell types --out {0}", folder,
+                  site.program_dir));
 }
 
 Diagnosis CheckTypesOfRun(const Machine& machine, const Site& site) {
