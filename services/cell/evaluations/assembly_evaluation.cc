@@ -22,9 +22,7 @@ class AssemblyEvaluation final : public Evaluation {
 
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
-    for (int i = 0; i < runs; ++i) {
-      trials.push_back({kGroup, seed + static_cast<uint64_t>(i)});
-    }
+    AddTrials(kGroup, runs, seed, &trials);
     return trials;
   }
 

@@ -48,14 +48,10 @@ class DisturbedEvaluation final : public Evaluation {
 
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
-    const auto add = [&](const char* group, int num) {
-      for (int i = 0; i < num; ++i) {
-        trials.push_back({group, seed + static_cast<uint64_t>(i)});
-      }
-    };
-    add(kSolvable, runs);
-    add(kUnsolvable,
-        std::max(2, static_cast<int>(runs * kUnsolvableShare + 0.5)));
+    AddTrials(kSolvable, runs, seed, &trials);
+    AddTrials(kUnsolvable,
+              std::max(2, static_cast<int>(runs * kUnsolvableShare + 0.5)),
+              seed, &trials);
     return trials;
   }
 

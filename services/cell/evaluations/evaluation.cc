@@ -8,6 +8,13 @@
 
 namespace cell::cli {
 
+void AddTrials(const std::string& group, int num, uint64_t seed,
+               std::vector<Trial>* trials) {
+  for (int i = 0; i < num; ++i) {
+    trials->push_back({group, seed + static_cast<uint64_t>(i)});
+  }
+}
+
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
   all.push_back(MakeWatchEvaluation());

@@ -39,6 +39,10 @@ struct Trial {
   uint64_t seed = 0;
 };
 
+/// Adds `num` trials of the group, with seeds from `seed` on.
+void AddTrials(const std::string& group, int num, uint64_t seed,
+               std::vector<Trial>* trials);
+
 /// What `cell eval NAME` measures. Each trial becomes one row (JSON); the
 /// measures are a function of the rows.
 class Evaluation {

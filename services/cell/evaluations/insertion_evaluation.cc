@@ -121,9 +121,7 @@ class InsertionEvaluation final : public Evaluation {
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
     for (const char* group : {kSearch, kNoSearch}) {
-      for (int i = 0; i < runs; ++i) {
-        trials.push_back({group, seed + static_cast<uint64_t>(i)});
-      }
+      AddTrials(group, runs, seed, &trials);
     }
     return trials;
   }

@@ -54,9 +54,7 @@ class StopsEvaluation final : public Evaluation {
 
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
-    for (int i = 0; i < runs; ++i) {
-      trials.push_back({kGroup, seed + static_cast<uint64_t>(i)});
-    }
+    AddTrials(kGroup, runs, seed, &trials);
     return trials;
   }
 

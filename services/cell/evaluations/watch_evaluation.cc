@@ -54,9 +54,7 @@ class WatchEvaluation final : public Evaluation {
     for (const Group& group : kGroups) {
       const int num = std::max(static_cast<int>(group.scripts.size()),
                                static_cast<int>(runs * group.share + 0.5));
-      for (int i = 0; i < num; ++i) {
-        trials.push_back({group.name, seed + static_cast<uint64_t>(i)});
-      }
+      AddTrials(group.name, num, seed, &trials);
     }
     return trials;
   }
