@@ -8,12 +8,28 @@
 
 namespace cell {
 
-/// The message of type M, or nothing if the bytes are not one, whole.
+/// Times of a run lie in [0, kMaxUtime]: sums and differences of what has
+/// been measured fit an int64_t. (A deadline is only compared.)
+inline constexpr int64_t kMaxUtime = int64_t{1} << 61;
+
+constexpr bool IsUtime(int64_t utime) {
+  return utime >= 0 && utime <= kMaxUtime;
+}
+
+/// The message of type M, or nothing if the bytes are not one, whole, or it
+/// was measured at a time that no run has.
 template <class M>
 std::optional<M> Decode(std::span<const uint8_t> bytes) {
   std::optional<M> decoded(std::in_place);
   const int size = static_cast<int>(bytes.size());
-  if (decoded->decode(bytes.data(), 0, size) != size) decoded.reset();
+  bool is_sound = decoded->decode(bytes.data(), 0, size) == size;
+  if constexpr (requires { decoded->header.utime; }) {
+    is_sound = is_sound && IsUtime(decoded->header.utime);
+  }
+  if constexpr (requires { decoded->pick_utime; }) {
+    is_sound = is_sound && IsUtime(decoded->pick_utime);
+  }
+  if (!is_sound) decoded.reset();
   return decoded;
 }
 

@@ -11,7 +11,7 @@
 #include "services/camera_set/recorded_device.h"
 #include "services/camera_set/rendered_device.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 CameraSet::CameraSet(Bus& bus, Params params,
                      std::unique_ptr<FrameDevice> device)
@@ -123,4 +123,4 @@ std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
       std::make_unique<RenderedDevice>(bus, BodiesOf(parts, layout), rendered));
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

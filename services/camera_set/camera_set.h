@@ -7,7 +7,7 @@
 #include "common/config/deployment.h"
 #include "services/camera_set/frame_device.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// A device's pictures -> FRAME_<SET>. It knows nothing of episodes: what it
 /// shows is what is there.
@@ -38,4 +38,4 @@ class CameraSet final : public Service {
 std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
                                        const std::string& instance);
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -4,7 +4,7 @@
 
 #include "common/imaging/rgbd_frame.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// Where the pictures of a camera set come from.
 class FrameDevice {
@@ -19,4 +19,4 @@ class FrameDevice {
   virtual std::optional<RgbdFrame> Take() = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::camera_set

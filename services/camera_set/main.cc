@@ -3,5 +3,6 @@
 #include "services/camera_set/camera_set.h"
 
 int main(int argc, char** argv) {
-  return cell::RunInstance("camera_set", argc, argv, cell::MakeCameraSet);
+  return cell::RunInstance("camera_set", argc, argv,
+                           cell::camera_set::MakeCameraSet);
 }

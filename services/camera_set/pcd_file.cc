@@ -13,7 +13,7 @@
 
 #include "services/camera_set/pcd_header.h"
 
-namespace cell {
+namespace cell::camera_set {
 namespace {
 
 [[noreturn]] void Fail(const std::filesystem::path& path,
@@ -74,4 +74,4 @@ PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
   return image;
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

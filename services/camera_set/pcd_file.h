@@ -5,7 +5,7 @@
 #include "common/imaging/depth_image.h"
 #include "common/imaging/rgb_image.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// An organised cloud as pictures.
 struct PcdImage {
@@ -27,4 +27,4 @@ struct PcdImage {
 /// CheckPcd() wants it, or if all that it measures is too far: another unit.
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit);
 
-}  // namespace cell
+}  // namespace cell::camera_set

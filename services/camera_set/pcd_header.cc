@@ -13,7 +13,7 @@
 #include "common/config/decimal.h"
 #include "common/imaging/depth_image.h"
 
-namespace cell {
+namespace cell::camera_set {
 namespace {
 
 using Field = PcdHeader::Field;
@@ -294,4 +294,4 @@ PcdHeader CheckPcd(const std::filesystem::path& path) {
   return header;
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

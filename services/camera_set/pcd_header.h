@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::camera_set {
 
 /// What a PCD file says of itself.
 struct PcdHeader {
@@ -35,4 +35,4 @@ struct PcdHeader {
 /// colour (rgb or rgba, 4 bytes), whose data is all there and nothing else.
 PcdHeader CheckPcd(const std::filesystem::path& path);
 
-}  // namespace cell
+}  // namespace cell::camera_set

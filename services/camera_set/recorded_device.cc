@@ -4,7 +4,7 @@
 #include "cell/tick_t.hpp"
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 RecordedDevice::RecordedDevice(Bus& bus, const Params& params)
     : bus_(bus),
@@ -35,4 +35,4 @@ void RecordedDevice::PublishRemark() {
   bus_.Publish("ALERT", alert);
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

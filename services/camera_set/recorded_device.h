@@ -7,7 +7,7 @@
 #include "services/camera_set/frame_device.h"
 #include "services/camera_set/recorded_frames.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// A folder of recorded frames -> pictures, as if they were taken now. What in
 /// a file yields no measurement is said once, as an ALERT.
@@ -34,4 +34,4 @@ class RecordedDevice final : public FrameDevice {
   RecordedFrames frames_;
 };
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -11,7 +11,7 @@
 #include "common/imaging/png_file.h"
 #include "services/camera_set/pcd_file.h"
 
-namespace cell {
+namespace cell::camera_set {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ RgbdFrame RecordedFrames::Load(const std::string& name) {
   return frame;
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -9,7 +9,7 @@
 
 #include "common/imaging/rgbd_frame.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// A folder of recorded frames, device adapter: <name>.colour.png (8 bits) with
 /// <name>.depth.png (16 bits of grey), or <name>.pcd (an organised cloud in C),
@@ -54,4 +54,4 @@ class RecordedFrames {
   std::set<std::string> remarked_;  // names
 };
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace cell {
+namespace cell::camera_set {
 
 RenderedDevice::RenderedDevice(Bus& bus, std::vector<RenderBody> bodies,
                                RenderedView::Params params)
@@ -24,4 +24,4 @@ std::optional<RgbdFrame> RenderedDevice::Take() {
   return view_.Take(*truth);
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -6,7 +6,7 @@
 #include "services/camera_set/frame_device.h"
 #include "services/camera_set/rendered_view.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// TRUTH_POSES -> pictures: stands in for the device in the testbed.
 class RenderedDevice final : public FrameDevice {
@@ -22,4 +22,4 @@ class RenderedDevice final : public FrameDevice {
   std::optional<TruthPoses> truth_;  // not yet seen
 };
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -5,7 +5,7 @@
 
 #include "common/rendering/renderer.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 RgbdFrame RenderedView::Take(const TruthPoses& truth) const {
   RenderParams rendering;
@@ -35,4 +35,4 @@ DepthImage DepthInCounts(const std::vector<float>& depth, int width, int height,
   return image;
 }
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -8,7 +8,7 @@
 #include "common/imaging/rgbd_frame.h"
 #include "common/rendering/render_scene.h"
 
-namespace cell {
+namespace cell::camera_set {
 
 /// The pictures that an ideal RGB-D camera takes of the world: depth right to
 /// half a count, no noise.
@@ -36,4 +36,4 @@ class RenderedView {
 DepthImage DepthInCounts(const std::vector<float>& depth, int width, int height,
                          double unit);
 
-}  // namespace cell
+}  // namespace cell::camera_set

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cell {
+namespace cell::library {
 
 /// An action of the library: what ties the paper's three levels together. The
 /// texts are blocks of an action in a task's domain.yaml, so that one reader
@@ -28,4 +28,4 @@ struct ActionRecord {
   bool operator==(const ActionRecord&) const = default;
 };
 
-}  // namespace cell
+}  // namespace cell::library

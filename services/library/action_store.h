@@ -9,7 +9,7 @@
 
 #include "services/library/action_record.h"
 
-namespace cell {
+namespace cell::library {
 
 /// What keeps the actions failed: what() names the file, and what to do.
 /// Nothing that was stored before is lost.
@@ -52,4 +52,4 @@ class ActionStore {
 /// The tick of what was there before the run.
 inline constexpr int32_t kBeforeRun = -1;
 
-}  // namespace cell
+}  // namespace cell::library

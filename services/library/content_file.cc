@@ -7,7 +7,7 @@
 #include "services/library/action_store.h"
 #include "services/library/record_json.h"
 
-namespace cell {
+namespace cell::library {
 
 void WriteContent(const std::filesystem::path& file,
                   const std::vector<ActionRecord>& records) {
@@ -33,4 +33,4 @@ std::vector<ActionRecord> ReadContent(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -5,7 +5,7 @@
 
 #include "services/library/action_record.h"
 
-namespace cell {
+namespace cell::library {
 
 /// What a library held, as JSON (record_json.h): exported, or as of the start
 /// of a run. Storage adapter.
@@ -21,4 +21,4 @@ void ExportContent(const std::filesystem::path& file,
 /// @throws StoreError naming the file and the key in it.
 std::vector<ActionRecord> ReadContent(const std::filesystem::path& file);
 
-}  // namespace cell
+}  // namespace cell::library

@@ -8,7 +8,7 @@
 #include "common/bus/decode.h"
 #include "services/library/record_messages.h"
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 constexpr char kName[] = "library";
@@ -116,4 +116,4 @@ std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
                                    RecordCheck::FromTask(deployment));
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -13,7 +13,7 @@
 #include "services/library/action_store.h"
 #include "services/library/record_check.h"
 
-namespace cell {
+namespace cell::library {
 
 /// STORE_REQUEST -> STORED, once the store keeps it, and ACTION_RECORD. All
 /// records at an episode's start, and on LIBRARY_REQUEST. What the store holds
@@ -45,4 +45,4 @@ class Library final : public Service {
 std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
                                      std::shared_ptr<ActionStore> store);
 
-}  // namespace cell
+}  // namespace cell::library

@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   return cell::RunService(
       "library", argc, argv,
       [&](cell::Bus& bus, const cell::Deployment& deployment) {
-        return cell::MakeLibrary(bus, deployment,
-                                 cell::OpenStore(deployment, database));
+        return cell::library::MakeLibrary(
+            bus, deployment, cell::library::OpenStore(deployment, database));
       },
       [&](CLI::App& app) {
         app.add_option("--database", database,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::library {
 
 MemoryActionStore::MemoryActionStore(std::span<const ActionRecord> records) {
   Store(records, kBeforeRun);
@@ -50,4 +50,4 @@ void MemoryActionStore::RollBackTo(int32_t tick) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::library

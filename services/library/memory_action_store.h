@@ -2,7 +2,7 @@
 
 #include "services/library/action_store.h"
 
-namespace cell {
+namespace cell::library {
 
 /// Keeps the actions as long as it lives: for replay, evaluations and tests.
 class MemoryActionStore final : public ActionStore {
@@ -27,4 +27,4 @@ class MemoryActionStore final : public ActionStore {
   std::vector<int32_t> ticks_;         // of each
 };
 
-}  // namespace cell
+}  // namespace cell::library

@@ -5,7 +5,7 @@
 #include "services/library/record_language.h"
 #include "services/library/sqlite_action_store.h"
 
-namespace cell {
+namespace cell::library {
 
 std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
                                        const std::filesystem::path& database) {
@@ -33,4 +33,4 @@ std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
   return store;
 }
 
-}  // namespace cell
+}  // namespace cell::library

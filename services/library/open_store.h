@@ -6,7 +6,7 @@
 #include "common/config/deployment.h"
 #include "services/library/action_store.h"
 
-namespace cell {
+namespace cell::library {
 
 /// library.db in a run folder.
 inline constexpr char kDatabaseName[] = "library.db";
@@ -19,4 +19,4 @@ inline constexpr char kDatabaseName[] = "library.db";
 std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
                                        const std::filesystem::path& database);
 
-}  // namespace cell
+}  // namespace cell::library

@@ -11,7 +11,7 @@
 #include "services/library/record_json.h"
 #include "services/library/record_language.h"
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 bool IsName(const std::string& name) {
@@ -133,4 +133,4 @@ void RecordCheck::RequireSense(const ActionRecord& record,
   }
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -11,10 +11,12 @@
 #include "services/library/action_store.h"
 
 namespace cell {
-
 class Domain;
 class Gallery;
 class PartTable;
+}  // namespace cell
+
+namespace cell::library {
 
 /// Why a record is not kept.
 struct Refusal {
@@ -51,4 +53,4 @@ class RecordCheck {
   std::set<std::string> skill_settings_;
 };
 
-}  // namespace cell
+}  // namespace cell::library

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ std::vector<ActionRecord> ContentFromText(const std::string& text,
   return records;
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -7,7 +7,7 @@
 
 #include "services/library/action_record.h"
 
-namespace cell {
+namespace cell::library {
 
 /// The record as JSON, its keys in the order of the struct.
 /// @throws std::invalid_argument for a text that is not UTF-8.
@@ -27,4 +27,4 @@ std::string TextOfContent(const std::vector<ActionRecord>& records);
 std::vector<ActionRecord> ContentFromText(const std::string& text,
                                           const std::string& file);
 
-}  // namespace cell
+}  // namespace cell::library

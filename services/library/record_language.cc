@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 // An alias in a text could stand for more than memory holds.
@@ -93,4 +93,4 @@ std::vector<ActionRecord> TaskActions(const Config& domain_config) {
   return records;
 }
 
-}  // namespace cell
+}  // namespace cell::library

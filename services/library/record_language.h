@@ -5,7 +5,7 @@
 #include "common/config/config.h"
 #include "services/library/action_record.h"
 
-namespace cell {
+namespace cell::library {
 
 /// The action as it would stand in a task's domain.yaml, but for `undoes`: for
 /// LoadAction() and Gallery::Read(). Errors begin with its name.
@@ -17,4 +17,4 @@ Config ConfigOf(const ActionRecord& record);
 /// that Domain::FromConfig() has accepted.
 std::vector<ActionRecord> TaskActions(const Config& domain_config);
 
-}  // namespace cell
+}  // namespace cell::library

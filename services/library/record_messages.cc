@@ -1,6 +1,6 @@
 #include "services/library/record_messages.h"
 
-namespace cell {
+namespace cell::library {
 
 action_record_t ToMessage(const ActionRecord& record) {
   action_record_t message{};
@@ -40,4 +40,4 @@ ActionRecord FromMessage(const action_record_t& message) {
   return record;
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -10,7 +10,7 @@
 #include "services/library/record_json.h"
 #include "services/library/sqlite_schema.h"
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 constexpr char kDamaged[] =
@@ -209,4 +209,4 @@ int SqliteActionStore::schema_version() const {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::library

@@ -9,7 +9,7 @@ namespace SQLite {
 class Database;
 }
 
-namespace cell {
+namespace cell::library {
 
 /// Keeps the actions in an SQLite file, of which this process is the sole owner
 /// as long as it lives. Storage adapter. A transaction is on the disk when it
@@ -45,4 +45,4 @@ class SqliteActionStore final : public ActionStore {
   std::unique_ptr<SQLite::Database> database_;
 };
 
-}  // namespace cell
+}  // namespace cell::library

@@ -7,7 +7,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace cell {
+namespace cell::library {
 namespace {
 
 // "CELL": tells a library's file from other programs'.
@@ -68,4 +68,4 @@ void Migrate(SQLite::Database& database, std::span<const char* const> steps) {
   transaction.commit();
 }
 
-}  // namespace cell
+}  // namespace cell::library

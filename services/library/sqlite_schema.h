@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace cell {
+namespace cell::library {
 
 /// Step i brings a database from schema i to i + 1; what was stored under an
 /// older one stays. Steps are only ever added.
@@ -19,4 +19,4 @@ int SchemaVersion(const SQLite::Database& database, int newest);
 /// SchemaVersion().
 void Migrate(SQLite::Database& database, std::span<const char* const> steps);
 
-}  // namespace cell
+}  // namespace cell::library

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 constexpr auto kHeld = Predicate::Report::kHeld;
@@ -95,4 +95,4 @@ State WithoutArms(State state, const Vocabulary& vocabulary) {
   return state;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

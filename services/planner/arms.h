@@ -8,7 +8,7 @@
 #include "common/relational/state.h"
 #include "common/relational/vocabulary.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// What an arm says of itself. Objects are the vocabulary's.
 struct ArmStatus {
@@ -52,4 +52,4 @@ class Arms {
 /// person.
 State WithoutArms(State state, const Vocabulary& vocabulary);
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 bool Concerns(const GroundAction& action, int object) {
@@ -65,4 +65,4 @@ bool Attempts::IsSame(const GroundAction& action, const State& before,
   return true;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -6,7 +6,7 @@
 
 #include "common/relational/domain.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// How often an action was tried in vain in one and the same state. After so
 /// many times it is blocked until something changes: a reason to do something
@@ -48,4 +48,4 @@ class Attempts {
   std::map<GroundAction, Entry> entries_;
 };
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 /// Atoms that have the same truth in all of the states.
@@ -172,4 +172,4 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   return because;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -7,7 +7,7 @@
 #include "services/planner/plan.h"
 #include "services/planner/state_space.h"
 
-namespace cell {
+namespace cell::planner {
 
 struct Excuse {
   std::string text;
@@ -23,4 +23,4 @@ struct Excuse {
 Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
                      const std::function<Plan(const State&)>& solve);
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -7,7 +7,7 @@
 
 #include "services/planner/monitor.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// A moment of the run.
 struct Instant {
@@ -55,4 +55,4 @@ struct Orders {
   std::optional<Monitor::PlanOfState> plan;  ///< if it has changed
 };
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -6,7 +6,7 @@
 #include "services/planner/foresight.h"
 #include "services/planner/question.h"
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 ArmOrder::Kind KindOf(Skill::Kind kind) {
@@ -372,4 +372,4 @@ std::string Executor::WhatRuns() const {
   return text;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -10,7 +10,7 @@
 #include "services/planner/execution.h"
 #include "services/planner/plan_search.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// Does a task with the arms (section VIII-A): the first action of the plan is
 /// requested, its end awaited, the state sensed afresh, the plan renewed.
@@ -131,4 +131,4 @@ class Executor {
   std::optional<Monitor::PlanOfState> told_plan_;
 };
 
-}  // namespace cell
+}  // namespace cell::planner

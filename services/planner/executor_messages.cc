@@ -5,7 +5,7 @@
 
 #include "cell/motion_permit_t.hpp"
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 bool IsTimeUntil(int64_t utime, int64_t now) {
@@ -160,4 +160,4 @@ execution_t ToMessage(const Execution& execution, const Domain& domain) {
   return message;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -11,7 +11,7 @@
 #include "services/planner/arms.h"
 #include "services/planner/execution.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// Nothing if arm or parts are not of the domain, parts come twice or out of
 /// order, the id cannot be, or it is later than `now`.
@@ -30,4 +30,4 @@ std::optional<bool> MayActFromMessage(const operating_mode_t& message);
 skill_request_t ToMessage(const ArmOrder& request, const Domain& domain);
 execution_t ToMessage(const Execution& execution, const Domain& domain);
 
-}  // namespace cell
+}  // namespace cell::planner

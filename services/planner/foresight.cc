@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::planner {
 
 std::optional<State> LikelyAfter(const Domain& domain,
                                  const GroundAction& action,
@@ -43,4 +43,4 @@ bool DoNotDisturb(const Domain& domain, const GroundAction& a,
          LikelyAfter(domain, a, *after_b);
 }
 
-}  // namespace cell
+}  // namespace cell::planner

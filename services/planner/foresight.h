@@ -4,7 +4,7 @@
 
 #include "common/relational/domain.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// The state after the likeliest outcome of the robot's action; nothing if no
 /// rule covers `state`, or several do.
@@ -21,4 +21,4 @@ bool IsSurelyPossible(const Domain& domain, const GroundAction& action,
 bool DoNotDisturb(const Domain& domain, const GroundAction& a,
                   const GroundAction& b, const State& state);
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 constexpr double kConverged = 1e-13;  // largest change in a sweep
@@ -116,4 +116,4 @@ int GoalValues::Best(const StateSpace& space, int state) const {
   return best;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

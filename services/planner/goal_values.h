@@ -4,7 +4,7 @@
 
 #include "services/planner/state_space.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// For every state of a space the highest probability P of reaching a goal
 /// and, among the ways that have it, the least expected number of actions C
@@ -40,4 +40,4 @@ class GoalValues {
   std::vector<Value> values_;
 };
 
-}  // namespace cell
+}  // namespace cell::planner

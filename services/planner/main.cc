@@ -2,5 +2,5 @@
 #include "services/planner/planner.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("planner", argc, argv, cell::MakePlanner);
+  return cell::RunService("planner", argc, argv, cell::planner::MakePlanner);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 bool IsDecided(const Plan& plan) {
@@ -151,4 +151,4 @@ Monitor::Report Monitor::Tell(std::vector<Alert> alerts, bool has_acted) {
   return report;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

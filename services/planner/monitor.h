@@ -10,7 +10,7 @@
 
 #include "services/planner/plan_search.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// What was sensed at a key frame.
 struct SensedState {
@@ -90,4 +90,4 @@ class Monitor {
   std::optional<PlanOfState> told_;
 };
 
-}  // namespace cell
+}  // namespace cell::planner

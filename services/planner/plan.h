@@ -5,7 +5,7 @@
 
 #include "common/relational/rule.h"
 
-namespace cell {
+namespace cell::planner {
 
 struct PlanStep {
   GroundAction action;
@@ -42,4 +42,4 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 constexpr size_t kMaxNamedUnknowns = 5;
@@ -163,4 +163,4 @@ std::string PlanSearch::WhyUndecided(const State& state) const {
          names;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

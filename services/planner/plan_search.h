@@ -10,7 +10,7 @@
 #include "services/planner/plan.h"
 #include "services/planner/state_space.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// Finds the best way to one goal from any state (section VIII-A). What was
 /// found out about states is kept for later questions.
@@ -52,4 +52,4 @@ class PlanSearch {
   std::vector<bool> is_goal_;  // of each state of the space
 };
 
-}  // namespace cell
+}  // namespace cell::planner

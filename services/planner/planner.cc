@@ -11,7 +11,7 @@
 #include "services/planner/executor_messages.h"
 #include "services/planner/planner_messages.h"
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 /// Ticks between two looks for what nobody has recognised.
@@ -321,4 +321,4 @@ std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
   return std::make_unique<Planner>(bus, LoadParams(deployment));
 }
 
-}  // namespace cell
+}  // namespace cell::planner

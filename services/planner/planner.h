@@ -20,7 +20,7 @@
 #include "services/planner/monitor.h"
 #include "services/planner/unseen_changes.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// The decision maker (sections VII-B, VIII-A), for the goal that EPISODE or
 /// COMMAND_GOAL names. Of a person's episode: PREDICATES, ACTION -> PLAN,
@@ -74,4 +74,4 @@ class Planner final : public Service {
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 std::optional<Truth> ToTruth(int8_t code) {
@@ -140,4 +140,4 @@ alert_t ToMessage(const Alert& alert) {
   return message;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

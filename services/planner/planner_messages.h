@@ -9,7 +9,7 @@
 #include "common/relational/domain.h"
 #include "services/planner/monitor.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// Nothing if an atom is not of the domain, comes twice, or has an unknown
 /// code. Atoms that are not listed are unknown.
@@ -23,4 +23,4 @@ std::optional<DoneAction> FromMessage(const action_t& message,
 plan_t ToMessage(const Monitor::PlanOfState& plan, const Domain& domain);
 alert_t ToMessage(const Alert& alert);
 
-}  // namespace cell
+}  // namespace cell::planner

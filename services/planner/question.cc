@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 constexpr auto kReachable = Predicate::Report::kReachable;
@@ -95,4 +95,4 @@ std::string AskForStep(const GroundAction& action, const Domain& domain) {
   return "please do " + domain.Show(action);
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -5,7 +5,7 @@
 #include "services/planner/attempts.h"
 #include "services/planner/plan_search.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// The question to the person when there is no plan (sections VI-B1, IX-C): it
 /// names what has failed too often, if all would be well without, or else what
@@ -16,4 +16,4 @@ std::string AskForHelp(const Plan& no_plan, const State& state,
 /// The question for a step that is the person's.
 std::string AskForStep(const GroundAction& action, const Domain& domain);
 
-}  // namespace cell
+}  // namespace cell::planner

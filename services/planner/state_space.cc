@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cell {
+namespace cell::planner {
 
 StateSpace::StateSpace(const Domain& domain, Agent agent,
                        const std::set<GroundAction>& blocked)
@@ -91,4 +91,4 @@ std::vector<int> StateSpace::ReachableFrom(int state) const {
   return reached;
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -7,7 +7,7 @@
 
 #include "common/relational/domain.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// All states that can be reached from the states entered so far by the
 /// actions of one agent; closed under them. States are indices in the order of
@@ -64,4 +64,4 @@ class StateSpace {
   std::unordered_map<State, int, HashOfState> index_of_;  // never iterated
 };
 
-}  // namespace cell
+}  // namespace cell::planner

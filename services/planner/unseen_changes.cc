@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace cell {
+namespace cell::planner {
 namespace {
 
 /// Of an episode that nobody recognises anything in, the first ones will do.
@@ -134,4 +134,4 @@ std::string UnseenChanges::Tell(const Change& change) const {
       fmt::join(literals, ", "));
 }
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -10,7 +10,7 @@
 
 #include "services/planner/monitor.h"
 
-namespace cell {
+namespace cell::planner {
 
 /// Changes of the state that no recognised action accounts for: whoever sees
 /// and names what people do was dead meanwhile, or it happened by itself. The
@@ -71,4 +71,4 @@ class UnseenChanges {
   std::deque<DoneAction> actions_;  // the latest ones
 };
 
-}  // namespace cell
+}  // namespace cell::planner

@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv) {
   return cell::RunService("predicate_estimator", argc, argv,
-                          cell::MakePredicateEstimator);
+                          cell::predicate_estimator::MakePredicateEstimator);
 }

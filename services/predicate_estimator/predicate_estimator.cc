@@ -7,7 +7,7 @@
 #include "common/relational/domain.h"
 #include "common/sec/scene.h"
 
-namespace cell {
+namespace cell::predicate_estimator {
 namespace {
 
 predicates_t ToMessage(const State& state, const Vocabulary& vocabulary,
@@ -111,4 +111,4 @@ std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
   return std::make_unique<PredicateEstimator>(bus, params);
 }
 
-}  // namespace cell
+}  // namespace cell::predicate_estimator

@@ -15,7 +15,7 @@
 #include "common/sec/predicate_sensor.h"
 #include "common/sec/track.h"
 
-namespace cell {
+namespace cell::predicate_estimator {
 
 /// KEY_FRAME, TRACKS, SENSE_REQUEST -> PREDICATES: all ground predicates that
 /// geometry can tell, sensed afresh at each key frame (section VII-B) and on
@@ -50,4 +50,4 @@ class PredicateEstimator final : public Service {
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
                                                 const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::predicate_estimator

@@ -3,5 +3,6 @@
 #include "services/recognizer/recognizer.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("recognizer", argc, argv, cell::MakeRecognizer);
+  return cell::RunService("recognizer", argc, argv,
+                          cell::recognizer::MakeRecognizer);
 }

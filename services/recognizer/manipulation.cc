@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace cell {
+namespace cell::recognizer {
 namespace {
 
 // An action read backwards begins with its placement.
@@ -47,4 +47,4 @@ std::vector<Manipulation::Hypothesis> Manipulation::CompletedBy(
   return completed;
 }
 
-}  // namespace cell
+}  // namespace cell::recognizer

@@ -8,7 +8,7 @@
 
 #include "common/sec/gallery.h"
 
-namespace cell {
+namespace cell::recognizer {
 
 /// What an action is read as: done, undone, or none that is known.
 enum class Reading : int8_t { kForward = 0, kReversed = 1, kUnknown = 2 };
@@ -52,4 +52,4 @@ class Manipulation {
   std::vector<Hypothesis> hypotheses_;
 };
 
-}  // namespace cell
+}  // namespace cell::recognizer

@@ -6,7 +6,7 @@
 #include "common/sec/scene.h"
 #include "common/sec/seat.h"
 
-namespace cell {
+namespace cell::recognizer {
 
 using Eigen::Isometry3d;
 
@@ -167,4 +167,4 @@ RecognisedAction Recognition::Report(const Manipulation& manipulation,
   return action;
 }
 
-}  // namespace cell
+}  // namespace cell::recognizer

@@ -11,7 +11,7 @@
 #include "common/sec/predicate_sensor.h"
 #include "services/recognizer/manipulation.h"
 
-namespace cell {
+namespace cell::recognizer {
 
 /// A manipulation that was recognised.
 struct RecognisedAction {
@@ -77,4 +77,4 @@ class Recognition {
   std::map<std::string, int64_t> last_placed_;  // key frame, of those reported
 };
 
-}  // namespace cell
+}  // namespace cell::recognizer

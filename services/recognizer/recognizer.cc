@@ -6,7 +6,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/sec/key_frame.h"
 
-namespace cell {
+namespace cell::recognizer {
 namespace {
 
 action_t ToMessage(const RecognisedAction& action, int64_t index) {
@@ -89,4 +89,4 @@ std::unique_ptr<Service> MakeRecognizer(Bus& bus,
   return std::make_unique<Recognizer>(bus, params);
 }
 
-}  // namespace cell
+}  // namespace cell::recognizer

@@ -10,7 +10,7 @@
 #include "common/sec/cast.h"
 #include "services/recognizer/recognition.h"
 
-namespace cell {
+namespace cell::recognizer {
 
 /// KEY_FRAME -> ACTION: names manipulations, forward or reversed, and tells
 /// unknown ones (section VII-A).
@@ -42,4 +42,4 @@ class Recognizer final : public Service {
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::recognizer

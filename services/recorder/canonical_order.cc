@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace cell {
+namespace cell::recorder {
 
 std::vector<Message> CanonicalOrder::TakeBefore(int32_t tick) {
   const auto split = std::stable_partition(
@@ -16,4 +16,4 @@ std::vector<Message> CanonicalOrder::TakeBefore(int32_t tick) {
   return taken;
 }
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -6,7 +6,7 @@
 
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::recorder {
 
 /// Brings the messages of a run into the canonical order of logs: by tick,
 /// channel, sender, seq. A tick is complete when the next TICK has come, with
@@ -22,4 +22,4 @@ class CanonicalOrder {
   std::vector<Message> messages_;
 };
 
-}  // namespace cell
+}  // namespace cell::recorder

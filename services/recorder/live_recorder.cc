@@ -6,7 +6,7 @@
 
 #include "cell/alert_t.hpp"
 
-namespace cell {
+namespace cell::recorder {
 namespace {
 
 constexpr int32_t kRetryTicks = 125;
@@ -55,4 +55,4 @@ void LiveRecorder::Publish(int8_t level, const std::string& text) {
   bus_.Publish("ALERT", alert);
 }
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -9,7 +9,7 @@
 #include "common/bus/bus.h"
 #include "services/recorder/rotating_log.h"
 
-namespace cell {
+namespace cell::recorder {
 
 /// Every channel of a live cell -> logs in the run folder, as they come: the
 /// services' journals (STEP) say the order. ALERT when the disk is full and
@@ -30,4 +30,4 @@ class LiveRecorder : public Service {
   int32_t retry_tick_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::recorder

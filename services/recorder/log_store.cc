@@ -12,7 +12,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/run_log.h"
 
-namespace cell {
+namespace cell::recorder {
 
 namespace {
 
@@ -57,4 +57,4 @@ void LogStore::Append(const std::vector<Message>& messages) {
   writer_->Flush();
 }
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -7,7 +7,7 @@
 #include "common/bus/event_log.h"
 #include "common/bus/message.h"
 
-namespace cell {
+namespace cell::recorder {
 
 /// Creates cell-0001.lcmlog in `run_dir`, empty, with the number after the
 /// highest there; no other caller gets the same.
@@ -30,4 +30,4 @@ class LogStore {
   std::optional<EventLogWriter> writer_;
 };
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -3,5 +3,5 @@
 #include "services/recorder/recorder.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("recorder", argc, argv, cell::MakeRecorder);
+  return cell::RunService("recorder", argc, argv, cell::recorder::MakeRecorder);
 }

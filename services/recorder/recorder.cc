@@ -9,7 +9,7 @@
 #include "common/bus/decode.h"
 #include "services/recorder/live_recorder.h"
 
-namespace cell {
+namespace cell::recorder {
 
 Recorder::Recorder(Bus& bus, const std::filesystem::path& run_dir)
     : bus_(bus), store_(run_dir) {
@@ -71,4 +71,4 @@ std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment) {
   return std::make_unique<LiveRecorder>(bus, deployment.run_dir, params);
 }
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -9,7 +9,7 @@
 #include "services/recorder/canonical_order.h"
 #include "services/recorder/log_store.h"
 
-namespace cell {
+namespace cell::recorder {
 
 /// Every channel -> a canonical log in the run folder, at any speed. A life
 /// that follows a death says on ALERT which ticks the logs lack.
@@ -31,4 +31,4 @@ class Recorder : public Service {
 
 std::unique_ptr<Service> MakeRecorder(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -9,7 +9,7 @@
 #include "common/bus/run_log.h"
 #include "services/recorder/log_store.h"
 
-namespace cell {
+namespace cell::recorder {
 namespace {
 
 /// What an event takes beside its bytes, about.
@@ -79,4 +79,4 @@ void RotatingLog::RemoveOldest() const {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::recorder

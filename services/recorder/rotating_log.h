@@ -10,7 +10,7 @@
 #include "common/bus/message.h"
 #include "common/config/config.h"
 
-namespace cell {
+namespace cell::recorder {
 
 /// Storage adapter of the recorder of a live cell: cell-0001.lcmlog and so on
 /// in the run folder, a new file when one is large enough, the oldest ones
@@ -43,4 +43,4 @@ class RotatingLog {
   int64_t num_bytes_ = 0;  // of the file that is written
 };
 
-}  // namespace cell
+}  // namespace cell::recorder

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-namespace cell {
+namespace cell::robot_arm {
 
 Eigen::Isometry3d AimError::Of(int64_t request) const {
   if (offset == 0 && angle == 0) return Eigen::Isometry3d::Identity();
@@ -25,4 +25,4 @@ Eigen::Isometry3d AimError::Of(int64_t request) const {
   return X_SE;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

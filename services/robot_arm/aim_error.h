@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// By how much an arm is wrong about where a site is: another error for each
 /// request, the same for the same request. None, except where an evaluation
@@ -17,4 +17,4 @@ struct AimError {
   Eigen::Isometry3d Of(int64_t request) const;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

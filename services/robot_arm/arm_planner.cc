@@ -7,7 +7,7 @@
 
 #include "services/robot_arm/transit.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -457,4 +457,4 @@ void ArmPlanner::RefreshReachable() {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -15,7 +15,7 @@
 #include "services/robot_arm/or_reason.h"
 #include "services/robot_arm/skill_settings.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// True if a part has moved between two looks by more than they differ.
 bool HasMoved(const Eigen::Isometry3d& X_WO_before,
@@ -135,4 +135,4 @@ class ArmPlanner {
   std::map<std::string, PartShape> shapes_;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -6,7 +6,7 @@
 
 #include "common/layout/arm_layout.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// What an arm's servos, gripper and sensor say in a tick.
 struct ArmReading {
@@ -32,4 +32,4 @@ struct ArmCommand {
   std::string grip;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

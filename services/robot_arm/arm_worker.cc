@@ -7,7 +7,7 @@
 
 #include "services/robot_arm/fastening.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -307,4 +307,4 @@ void ArmWorker::KnowHeld() {
   Hold(*part, X_WG.inverse() * poses_.at(*part));
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -20,7 +20,7 @@
 #include "services/robot_arm/skill_stage.h"
 #include "services/robot_arm/tool_kinematics.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// One arm at work: does one skill at a time (section VIII-A), as stages one
 /// after the other. Pure: what comes out is a function of what it was told.
@@ -151,4 +151,4 @@ class ArmWorker {
   double rate_ = 1;  // of time, as the arm starts again
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -9,7 +9,7 @@
 #include "services/robot_arm/arm_worker.h"
 #include "services/robot_arm/fastening.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -288,4 +288,4 @@ SeatingFrames ArmWorker::FramesAtSite() const {
   return {target_.X_WO, held_->X_GO, target_.X_WO.inverse() * place_.X_WO};
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

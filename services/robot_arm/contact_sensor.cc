@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -64,4 +64,4 @@ ContactWrench ContactSensor::ContactAt(const Vector3d& p_W,
   return {R_AS * force, R_AS * torque};
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

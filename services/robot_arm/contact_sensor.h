@@ -7,7 +7,7 @@
 #include "services/robot_arm/insertion.h"
 #include "services/robot_arm/tool_kinematics.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// What touches the held part, from what the wrist sensor reads: without the
 /// weights and the inertia of tool and part, smoothed, and without the offset
@@ -54,4 +54,4 @@ class ContactSensor {
   ArmReading::SensedWrench offset_;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

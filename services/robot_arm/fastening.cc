@@ -5,7 +5,7 @@
 
 #include "common/sec/seat.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -54,4 +54,4 @@ const Site* FindHoldingSite(const std::string& name, const PartTable& parts,
   return nullptr;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

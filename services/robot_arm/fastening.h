@@ -6,7 +6,7 @@
 
 #include "common/parts/part_table.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// The site that holds the part where it is: the part is seated there, or the
 /// site's thread has taken hold of it. Who grips such a part may let go of it,
@@ -16,4 +16,4 @@ const Site* FindHoldingSite(
     const std::string& part, const PartTable& parts,
     const std::map<std::string, Eigen::Isometry3d>& poses);
 
-}  // namespace cell
+}  // namespace cell::robot_arm

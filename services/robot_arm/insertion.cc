@@ -8,7 +8,7 @@
 
 #include "common/layout/limit_words.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -179,4 +179,4 @@ Eigen::Isometry3d Insertion::X_SO() const {
   return X_SO;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// What touches a held part, in the axes of its site: on the part, positive.
 struct ContactWrench {
@@ -85,4 +85,4 @@ class Insertion {
   double peak_force_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -6,7 +6,7 @@
 
 #include "common/arms/straight_line.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -146,4 +146,4 @@ std::string Tare::reason() const {
          "0.2 s allowed";
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

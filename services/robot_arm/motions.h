@@ -10,7 +10,7 @@
 #include "services/robot_arm/skill_stage.h"
 #include "services/robot_arm/tool_kinematics.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// Follows a trajectory of the joints.
 class FollowTrajectory : public SkillStage {
@@ -102,4 +102,4 @@ class Tare : public SkillStage {
   double time_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

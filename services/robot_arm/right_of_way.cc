@@ -1,6 +1,6 @@
 #include "services/robot_arm/right_of_way.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 constexpr double kFirstPause = 0.2, kSecondPause = 1.0;  // [s]
@@ -31,4 +31,4 @@ RightOfWay::Advice RightOfWay::Step(bool is_blocked, double dt) {
   return Advice::kGoAround;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

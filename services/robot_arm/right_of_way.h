@@ -1,6 +1,6 @@
 #pragma once
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// What an arm does whose way another arm is in. One of the two tries again
 /// later, so that they do not start and stop each other for ever, and gives up
@@ -26,4 +26,4 @@ class RightOfWay {
   double free_ = 0;    // [s] that it has gone
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -13,7 +13,7 @@
 #include "common/layout/limit_words.h"
 #include "common/sec/track.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 constexpr double kTick = 1e-6 * kTickUs;      // [s]
@@ -180,10 +180,10 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
   if (bus_.now() > message.deadline_utime) {
     PublishResult(
         {request.id, SkillResult::Outcome::kRefused,
-         fmt::format(
-             "the request has come {:.3f} s after its "
-             "deadline",
-             1e-6 * static_cast<double>(bus_.now() - message.deadline_utime))});
+         fmt::format("the request has come {:.3f} s after its "
+                     "deadline",
+                     1e-6 * (static_cast<double>(bus_.now()) -
+                             static_cast<double>(message.deadline_utime)))});
     return true;
   }
   worker_->Begin(request, LeaveToMove());
@@ -273,4 +273,4 @@ std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
                             Cast(parts, layout)});
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -20,7 +20,7 @@
 #include "common/sec/cast.h"
 #include "services/robot_arm/arm_worker.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// One arm's skills (section VIII): SKILL_REQUEST, TRACKS and what its device
 /// says in; ARM_SETPOINT_<ARM> every tick, ARM_REPORT_<ARM> and SKILL_RESULT
@@ -69,4 +69,4 @@ class RobotArm final : public Service {
 std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
                                       const std::string& instance);
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 using Eigen::Isometry3d;
@@ -101,4 +101,4 @@ SkillStage::State Turn::Step(const ArmReading& reading, double dt,
   return state == Turning::State::kDone ? State::kDone : State::kRunning;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

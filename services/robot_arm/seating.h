@@ -10,7 +10,7 @@
 #include "services/robot_arm/tool_kinematics.h"
 #include "services/robot_arm/turning.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// Frames of a part in a gripper on its way to a site.
 struct SeatingFrames {
@@ -67,4 +67,4 @@ class Turn : public SkillStage {
   std::string reason_;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// What an arm is asked to do once.
 struct SkillRequest {
@@ -37,4 +37,4 @@ struct SkillResult {
   double peak_force = 0;  ///< [N]
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

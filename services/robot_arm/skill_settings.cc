@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 constexpr double kMm = 1e-3;
@@ -98,4 +98,4 @@ SkillSettings SkillSettings::FromConfig(const Config& config,
   return settings;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

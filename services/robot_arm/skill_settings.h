@@ -10,7 +10,7 @@
 #include "services/robot_arm/insertion.h"
 #include "services/robot_arm/turning.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// How arms handle the parts of a task: its skills.yaml.
 struct SkillSettings {
@@ -43,4 +43,4 @@ struct SkillSettings {
   static SkillSettings FromConfig(const Config& config, const PartTable& parts);
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -6,7 +6,7 @@
 
 #include "services/robot_arm/arm_reading.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// One stretch of a skill that runs tick by tick: a motion, the fingers, a
 /// contact. It changes the command and says when it is over. While the arm is
@@ -30,4 +30,4 @@ class SkillStage {
   virtual std::string reason() const { return ""; }
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

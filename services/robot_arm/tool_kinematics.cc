@@ -2,7 +2,7 @@
 
 #include "common/arms/arm_bodies.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 constexpr double kMaxStep = 0.3;  // [rad] of a joint from tick to tick
 }  // namespace
@@ -32,4 +32,4 @@ std::optional<Joints> ToolKinematics::JointsNear(const Eigen::Isometry3d& X_WG,
   return nearest;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -5,7 +5,7 @@
 
 #include "common/layout/arm_layout.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// Where an arm's gripper and sensor are, and which joints bring it somewhere.
 class ToolKinematics {
@@ -24,4 +24,4 @@ class ToolKinematics {
   ArmLayout layout_;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -8,7 +8,7 @@
 #include "common/arms/path_planner.h"
 #include "common/arms/straight_line.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 constexpr double kViaHeight = 0.22;  // [m] that a way goes over things
@@ -112,4 +112,4 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
   return "there is no free way: " + reason;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

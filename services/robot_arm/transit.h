@@ -7,7 +7,7 @@
 #include "services/robot_arm/or_reason.h"
 #include "services/robot_arm/skill_settings.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// A free way of an arm from how it stands in `from` to the joints `to`, with
 /// its hand as it is: straight, or up, over and down, or else searched for. It
@@ -17,4 +17,4 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
                                   const ArmPosture& from, const Joints& to,
                                   const SkillSettings::Motion& motion);
 
-}  // namespace cell
+}  // namespace cell::robot_arm

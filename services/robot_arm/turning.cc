@@ -7,7 +7,7 @@
 
 #include "common/layout/limit_words.h"
 
-namespace cell {
+namespace cell::robot_arm {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -58,4 +58,4 @@ Eigen::Isometry3d Turning::X_SO() const {
   return X_SO;
 }
 
-}  // namespace cell
+}  // namespace cell::robot_arm

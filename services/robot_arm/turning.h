@@ -5,7 +5,7 @@
 
 #include "services/robot_arm/insertion.h"
 
-namespace cell {
+namespace cell::robot_arm {
 
 /// Turns a held part home on a thread: about z of its site, clockwise seen
 /// along -z, following the thread down, until the torque says that it is home.
@@ -47,4 +47,4 @@ class Turning {
   std::string reason_;
 };
 
-}  // namespace cell
+}  // namespace cell::robot_arm

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cell {
+namespace cell::sec_builder {
 
 EventChain::EventChain(const Cast& cast, const Params& params)
     : cast_(cast), params_(params) {
@@ -119,4 +119,4 @@ KeyFrame EventChain::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
   return frame;
 }
 
-}  // namespace cell
+}  // namespace cell::sec_builder

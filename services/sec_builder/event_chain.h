@@ -12,7 +12,7 @@
 #include "services/sec_builder/pair_filter.h"
 #include "services/sec_builder/proximity.h"
 
-namespace cell {
+namespace cell::sec_builder {
 
 /// Condenses a stream of scenes into key frames, one per lasting change of
 /// topology (section V-B). Changes that begin together are one key frame; it
@@ -63,4 +63,4 @@ class EventChain {
   int64_t next_index_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::sec_builder

@@ -3,5 +3,6 @@
 #include "services/sec_builder/sec_builder.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("sec_builder", argc, argv, cell::MakeSecBuilder);
+  return cell::RunService("sec_builder", argc, argv,
+                          cell::sec_builder::MakeSecBuilder);
 }

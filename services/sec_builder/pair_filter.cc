@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace cell {
+namespace cell::sec_builder {
 
 Relation PairFilter::Shown(const Proximity& proximity) const {
   const bool was_inside = relation_ == Relation::kOverlapping;
@@ -43,4 +43,4 @@ std::optional<int64_t> PairFilter::pending_since() const {
   return candidate_->onset;
 }
 
-}  // namespace cell
+}  // namespace cell::sec_builder

@@ -6,7 +6,7 @@
 #include "common/sec/relation.h"
 #include "services/sec_builder/proximity.h"
 
-namespace cell {
+namespace cell::sec_builder {
 
 /// Decides the relation of one pair from its proximity: two thresholds, and a
 /// change must last for some frames. It is dated back to the first of them.
@@ -49,4 +49,4 @@ class PairFilter {
   int num_seen_ = 0;  // frames in a row that showed the candidate
 };
 
-}  // namespace cell
+}  // namespace cell::sec_builder

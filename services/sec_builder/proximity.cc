@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cell {
+namespace cell::sec_builder {
 namespace {
 
 using Eigen::AlignedBox3d;
@@ -105,4 +105,4 @@ double ProximitySensor::OfHands(const PointCloud& a,
   return nearest;
 }
 
-}  // namespace cell
+}  // namespace cell::sec_builder

@@ -10,7 +10,7 @@
 #include "common/sec/relation.h"
 #include "common/sec/track.h"
 
-namespace cell {
+namespace cell::sec_builder {
 
 /// How near two objects are.
 struct Proximity {
@@ -54,4 +54,4 @@ class ProximitySensor {
   std::map<std::string, PartShape> shapes_;
 };
 
-}  // namespace cell
+}  // namespace cell::sec_builder

@@ -3,7 +3,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/sec/track.h"
 
-namespace cell {
+namespace cell::sec_builder {
 
 SecBuilder::SecBuilder(Bus& bus, const Params& params)
     : bus_(bus),
@@ -66,4 +66,4 @@ std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
   return std::make_unique<SecBuilder>(bus, params);
 }
 
-}  // namespace cell
+}  // namespace cell::sec_builder

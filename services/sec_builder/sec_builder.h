@@ -12,7 +12,7 @@
 #include "services/sec_builder/event_chain.h"
 #include "services/sec_builder/proximity.h"
 
-namespace cell {
+namespace cell::sec_builder {
 
 /// TRACKS -> KEY_FRAME: the semantic event chain of an episode (section V-B).
 class SecBuilder final : public Service {
@@ -43,4 +43,4 @@ class SecBuilder final : public Service {
 
 std::unique_ptr<Service> MakeSecBuilder(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::sec_builder

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cell {
+namespace cell::supervisor {
 namespace {
 
 constexpr double kLongestMs = 60'000;
@@ -61,4 +61,4 @@ HoldTable HoldTable::FromConfig(const Config& config, const Roster& roster,
   return table;
 }
 
-}  // namespace cell
+}  // namespace cell::supervisor

@@ -7,7 +7,7 @@
 #include "common/bus/roster.h"
 #include "common/config/config.h"
 
-namespace cell {
+namespace cell::supervisor {
 
 /// When arms stop; the later ones are stronger.
 enum class Hold {
@@ -46,4 +46,4 @@ struct HoldTable {
                               const std::string& self);
 };
 
-}  // namespace cell
+}  // namespace cell::supervisor

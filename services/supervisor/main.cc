@@ -3,5 +3,6 @@
 #include "services/supervisor/supervisor.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("supervisor", argc, argv, cell::MakeSupervisor);
+  return cell::RunService("supervisor", argc, argv,
+                          cell::supervisor::MakeSupervisor);
 }

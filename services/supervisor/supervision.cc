@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cell {
+namespace cell::supervisor {
 
 Supervision::Supervision(HoldTable table, int64_t now)
     : operator_hold_(table.operator_hold) {
@@ -96,4 +96,4 @@ void Supervision::Note(AlertLevel level, Notice::Cause cause,
   notices_.push_back({level, cause, std::move(text)});
 }
 
-}  // namespace cell
+}  // namespace cell::supervisor

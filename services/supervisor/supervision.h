@@ -8,7 +8,7 @@
 
 #include "services/supervisor/hold_table.h"
 
-namespace cell {
+namespace cell::supervisor {
 
 enum class Mode {
   kIdle,     ///< no episode
@@ -82,4 +82,4 @@ class Supervision {
   std::vector<Notice> notices_;
 };
 
-}  // namespace cell
+}  // namespace cell::supervisor

@@ -11,7 +11,7 @@
 #include "common/bus/roster.h"
 #include "common/layout/limit_words.h"
 
-namespace cell {
+namespace cell::supervisor {
 namespace {
 
 constexpr char kName[] = "supervisor";
@@ -244,4 +244,4 @@ std::unique_ptr<Service> MakeSupervisor(Bus& bus,
   return std::make_unique<Supervisor>(bus, std::move(params));
 }
 
-}  // namespace cell
+}  // namespace cell::supervisor

@@ -19,7 +19,7 @@
 #include "common/config/deployment.h"
 #include "services/supervisor/supervision.h"
 
-namespace cell {
+namespace cell::supervisor {
 
 /// EPISODE, COMMAND_MODE, STATUS, ARM_REPORT_*, ARM_STATE_*, ARM_STOP_*,
 /// SKILL_RESULT -> MOTION_PERMIT every tick, MODE, ALERT, ANSWER. A permit is
@@ -64,4 +64,4 @@ class Supervisor final : public Service {
 
 std::unique_ptr<Service> MakeSupervisor(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::supervisor

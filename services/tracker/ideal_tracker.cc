@@ -4,7 +4,7 @@
 
 #include "common/geometry/box_surface.h"
 
-namespace cell {
+namespace cell::tracker {
 
 IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
                            const Params& params)
@@ -53,4 +53,4 @@ void IdealTracker::TrackHand(const std::string& hand, const TruthPoses& truth,
   tracks.tracks.push_back(std::move(track));
 }
 
-}  // namespace cell
+}  // namespace cell::tracker

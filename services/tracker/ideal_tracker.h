@@ -10,7 +10,7 @@
 #include "common/sec/cast.h"
 #include "common/sec/track.h"
 
-namespace cell {
+namespace cell::tracker {
 
 /// Stands in for perfect sensing: tracks made of ground truth, so that the
 /// levels above can be built and judged by themselves (section IV). Parts are
@@ -41,4 +41,4 @@ class IdealTracker {
   std::map<std::string, Surfaces> surfaces_;
 };
 
-}  // namespace cell
+}  // namespace cell::tracker

@@ -3,5 +3,5 @@
 #include "services/tracker/tracker.h"
 
 int main(int argc, char** argv) {
-  return cell::RunService("tracker", argc, argv, cell::MakeTracker);
+  return cell::RunService("tracker", argc, argv, cell::tracker::MakeTracker);
 }

@@ -5,7 +5,7 @@
 
 #include "common/parts/part_table.h"
 
-namespace cell {
+namespace cell::tracker {
 
 Tracker::Tracker(Bus& bus, const Params& params)
     : bus_(bus),
@@ -54,4 +54,4 @@ std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment) {
   return std::make_unique<Tracker>(bus, params);
 }
 
-}  // namespace cell
+}  // namespace cell::tracker

@@ -11,7 +11,7 @@
 #include "common/sec/cast.h"
 #include "services/tracker/ideal_tracker.h"
 
-namespace cell {
+namespace cell::tracker {
 
 /// TRUTH_POSES -> TRACKS at camera rate: `sensing: ideal`.
 class Tracker final : public Service {
@@ -39,4 +39,4 @@ class Tracker final : public Service {
 
 std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment);
 
-}  // namespace cell
+}  // namespace cell::tracker

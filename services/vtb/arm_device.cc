@@ -9,7 +9,7 @@
 #include "common/arms/arm_bodies.h"
 #include "common/kinematics/joint_values.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -146,4 +146,4 @@ std::vector<BodyPose> ArmDevice::Bodies() const {
   return bodies;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -13,7 +13,7 @@
 #include "services/vtb/gripper.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// One arm as the cell's services meet it: ARM_SETPOINT_<ARM> in, every tick
 /// ARM_STATE_<ARM> out and, if it has a sensor, WRENCH_<ARM>; ARM_STOP_<ARM>
@@ -71,4 +71,4 @@ class ArmDevice {
   double dt_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

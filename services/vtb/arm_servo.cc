@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace cell {
+namespace cell::vtb {
 
 ArmServo::ArmServo(const Params& params, const Joints& q)
     : params_(params),
@@ -68,4 +68,4 @@ void ArmServo::MoveTowards(double dt) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

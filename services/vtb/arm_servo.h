@@ -6,7 +6,7 @@
 
 #include "common/layout/arm_layout.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// The position servo of a 6-axis arm as its controller offers it at 125 Hz:
 /// follows set-points like a critically damped system of the given bandwidth,
@@ -54,4 +54,4 @@ class ArmServo {
   double stopped_by_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

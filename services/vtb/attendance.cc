@@ -4,7 +4,7 @@
 
 #include "common/bus/bus.h"
 
-namespace cell {
+namespace cell::vtb {
 
 void Attendance::HearMode(bool is_hold, const std::string& reason,
                           int32_t tick) {
@@ -23,4 +23,4 @@ std::optional<std::string> Attendance::WhyInVain(int32_t tick) const {
       1e-6 * static_cast<double>(waited * kTickUs), reason_);
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

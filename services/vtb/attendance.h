@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace cell {
+namespace cell::vtb {
 
 /// Tells when a run waits in vain for an operator: the cell holds, and nobody
 /// has said anything for so long. Once an operator has spoken there is one, and
@@ -29,4 +29,4 @@ class Attendance {
   std::string reason_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-namespace cell {
+namespace cell::vtb {
 
 /// A body of the world and where it is.
 struct BodyPose {
@@ -11,4 +11,4 @@ struct BodyPose {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -6,7 +6,7 @@
 
 #include "common/sec/seat.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -257,4 +257,4 @@ bool Bystander::IsReady(const PlacementRule& rule, const World& world) const {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

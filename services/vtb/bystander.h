@@ -13,7 +13,7 @@
 #include "services/vtb/within_reach.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// A person beside the cell while it does a task by itself: moves, takes,
 /// places parts at times of chance, or does what the cell asks for. One hand,
@@ -65,4 +65,4 @@ class Bystander {
   std::optional<Wish> wish_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

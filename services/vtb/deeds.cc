@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 constexpr int64_t kSettleUs = 200'000;
@@ -143,4 +143,4 @@ std::vector<Deed> Deeds::Conclude(const std::string& name, const Grip& grip,
   return deeds;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -10,7 +10,7 @@
 #include "services/vtb/script.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Something a person did to a part, from gripping it to letting go.
 struct Deed {
@@ -59,4 +59,4 @@ class Deeds {
   std::map<std::string, Grip> grips_;  // by part
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -8,7 +8,7 @@
 
 #include "services/vtb/within_reach.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -433,4 +433,4 @@ void Demonstrator::PutOnTable(const std::string& part,
   actor.GoToRest();
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -12,7 +12,7 @@
 #include "services/vtb/tabletop.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// A scripted person who shows the cell a task: decides what each hand does
 /// next. A value: a copy, with a copy of the world's snapshot, goes on in the
@@ -93,4 +93,4 @@ class Demonstrator {
   bool is_over_ = false;            // nothing more is begun
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -5,7 +5,7 @@
 
 #include "common/geometry/box_surface.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 constexpr double kSpacing = 0.006;  // [m] of the points on a finger
@@ -93,4 +93,4 @@ std::optional<std::string> Gripper::PartBetween(const Eigen::Isometry3d& X_WG,
   return std::nullopt;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

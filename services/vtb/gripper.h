@@ -10,7 +10,7 @@
 #include "common/layout/hand_type.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// The fingers of an arm's gripper: kinematic, at one speed, until all of them
 /// touch a part; then they hold it (World's grip) until they open again.
@@ -55,4 +55,4 @@ class Gripper {
   std::string grip_, stance_;  // that they shall have, and have
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

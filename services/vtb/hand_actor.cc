@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -451,4 +451,4 @@ bool HandActor::Turn(const Order& order, World& world) {
   return false;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -11,7 +11,7 @@
 #include "services/vtb/tabletop.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Where a part is to go: a site, or a pose on the table.
 struct Target {
@@ -108,4 +108,4 @@ class HandActor {
   std::vector<std::string> failures_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -105,4 +105,4 @@ Isometry3d HandPath::At(double time) const {
   return X;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace cell {
+namespace cell::vtb {
 
 /// Minimum jerk from 0 to 1 (Flash and Hogan): the profile of human reaching.
 double MinimumJerk(double phase);
@@ -52,4 +52,4 @@ class HandPath {
   double duration_ = 0;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

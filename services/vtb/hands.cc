@@ -6,7 +6,7 @@
 #include "services/vtb/mujoco_pose.h"
 #include "services/vtb/world_xml.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -304,4 +304,4 @@ std::vector<BodyPose> Hands::Bodies() const {
   return bodies;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

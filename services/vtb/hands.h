@@ -11,7 +11,7 @@
 #include "common/parts/part_table.h"
 #include "services/vtb/body_pose.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Force and torque that act on something [N, N m].
 struct Wrench {
@@ -108,4 +108,4 @@ class Hands {
   std::vector<State> states_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

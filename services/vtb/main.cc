@@ -3,5 +3,5 @@
 #include "services/vtb/vtb.h"
 
 int main(int argc, char** argv) {
-  return cell::RunClock("vtb", argc, argv, cell::MakeVtb);
+  return cell::RunClock("vtb", argc, argv, cell::vtb::MakeVtb);
 }

@@ -1,6 +1,6 @@
 #include "services/vtb/mujoco_pose.h"
 
-namespace cell {
+namespace cell::vtb {
 
 using Eigen::Isometry3d;
 using Eigen::Quaterniond;
@@ -35,4 +35,4 @@ void SetWeld(const Isometry3d& X_1O, const Vector3d& centre, mjModel& model,
   data[10] = 1;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace cell {
+namespace cell::vtb {
 
 /// Poses as MuJoCo keeps them: a position and a quaternion, w first.
 Eigen::Isometry3d PoseFromMujoco(const mjtNum* position,
@@ -17,4 +17,4 @@ void PoseToMujoco(const Eigen::Isometry3d& X, mjtNum* position,
 void SetWeld(const Eigen::Isometry3d& X_1O, const Eigen::Vector3d& centre,
              mjModel& model, int equality);
 
-}  // namespace cell
+}  // namespace cell::vtb

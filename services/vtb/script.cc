@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 constexpr double kMm = 1e-3;
@@ -225,4 +225,4 @@ DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
   return book;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -12,7 +12,7 @@
 #include "common/sec/seat.h"
 #include "services/vtb/hand_path.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// "Parts of this type go to sites of that type."
 struct PlacementRule {
@@ -93,4 +93,4 @@ struct DemonstratorBook {
                                      const PartTable& table);
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -208,4 +208,4 @@ std::optional<Isometry3d> Tabletop::FreePlace(const std::string& part,
   return std::nullopt;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

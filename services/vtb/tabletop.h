@@ -11,7 +11,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// What a part takes up, from its shape.
 struct PartExtent {
@@ -72,4 +72,4 @@ class Tabletop {
   double gap_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 double AngleAboutZ(const Eigen::Matrix3d& R) {
@@ -58,4 +58,4 @@ Eigen::Isometry3d ThreadEngagement::X_SO() const {
   return X;
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -4,7 +4,7 @@
 
 #include "common/parts/part_table.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// What a thread does to a part near its site, from their poses alone. The
 /// physics hold the part on the axis at the height that `remaining` says.
@@ -40,4 +40,4 @@ class ThreadEngagement {
   Memory memory_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

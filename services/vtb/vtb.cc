@@ -17,7 +17,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/geometry/pose.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 constexpr double kTick = 1e-6 * kTickUs;  // [s]
@@ -373,4 +373,4 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   return std::make_unique<Vtb>(bus, params);
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

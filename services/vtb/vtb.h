@@ -22,7 +22,7 @@
 #include "services/vtb/script.h"
 #include "services/vtb/world.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// The virtual testbed (section IV): owner of time. Steps the world, the arms
 /// and the scripted person each tick, tells where everything is and what
@@ -104,4 +104,4 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
                                  const std::string& demonstration,
                                  uint64_t seed);
 
-}  // namespace cell
+}  // namespace cell::vtb

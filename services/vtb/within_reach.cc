@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 constexpr double kFromBorder = 0.004;  // [m] of the workspaces
@@ -55,4 +55,4 @@ bool WithinReach::CanTakeAll(const std::vector<Tabletop::Placed>& scene) const {
   });
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -8,7 +8,7 @@
 #include "common/arms/reach.h"
 #include "services/vtb/tabletop.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Whether the cell's arms can take what a script lays down, with a little more
 /// room to all sides than they ask for: only then can the run be solved.
@@ -31,4 +31,4 @@ class WithinReach {
   ReachParams params_;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -10,7 +10,7 @@
 
 #include "services/vtb/mujoco_pose.h"
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -285,4 +285,4 @@ void World::Restore(const Snapshot& snapshot) {
   }
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -14,7 +14,7 @@
 #include "services/vtb/thread_engagement.h"
 #include "services/vtb/world_xml.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Two bodies that touch; hands touch without pushing.
 struct BodyContact {
@@ -113,4 +113,4 @@ struct World::Snapshot {
   std::vector<ThreadEngagement::Memory> threads;
 };
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -8,7 +8,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace cell {
+namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
@@ -259,4 +259,4 @@ std::string WorldXml(const PartTable& table, const CellLayout& layout,
   return Writer(table, layout, params).Write();
 }
 
-}  // namespace cell
+}  // namespace cell::vtb

@@ -5,7 +5,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 
-namespace cell {
+namespace cell::vtb {
 
 /// Numbers of the physics model.
 struct PhysicsParams {
@@ -38,4 +38,4 @@ std::string ThreadFreezeName(const std::string& site, const std::string& part);
 std::string WorldXml(const PartTable& table, const CellLayout& layout,
                      const PhysicsParams& params);
 
-}  // namespace cell
+}  // namespace cell::vtb

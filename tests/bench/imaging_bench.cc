@@ -17,6 +17,8 @@
 
 namespace cell {
 
+using namespace camera_set;
+
 using namespace cli;
 namespace {
 

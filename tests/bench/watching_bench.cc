@@ -10,6 +10,10 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace recognizer;
+using namespace sec_builder;
+using namespace tracker;
 namespace {
 
 enum Scenery { kBegin, kAssembled, kHandsAtWork };

@@ -229,7 +229,10 @@ class Forger {
         -1e300,
         5e-324,
         0.0};
-    switch (Below(4)) {
+    static const std::vector<int64_t> kTimes = {
+        std::numeric_limits<int64_t>::min(),
+        std::numeric_limits<int64_t>::max(), -1};
+    switch (Below(5)) {
       case 0:
         (*bytes)[at] = static_cast<uint8_t>(random_());
         break;
@@ -238,6 +241,10 @@ class Forger {
         break;
       case 2:
         Put(std::bit_cast<uint64_t>(kNumbers[Below(kNumbers.size())]), 8, at,
+            bytes);
+        break;
+      case 3:
+        Put(std::bit_cast<uint64_t>(kTimes[Below(kTimes.size())]), 8, at,
             bytes);
         break;
       default:

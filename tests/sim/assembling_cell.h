@@ -79,7 +79,7 @@ class AssemblingCell {
     const ShippedTask task;
     return ScoreAssembly(
         looks_.earlier(), looks_.last(), task.parts,
-        DemonstratorBook::FromConfig(
+        vtb::DemonstratorBook::FromConfig(
             ShippedDeployment().OfTask("demonstrators.yaml"), task.parts));
   }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 using Eigen::Isometry3d;

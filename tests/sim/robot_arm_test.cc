@@ -18,6 +18,10 @@
 
 namespace cell {
 
+using namespace robot_arm;
+using namespace tracker;
+using namespace vtb;
+
 using namespace cli;
 namespace {
 

@@ -26,7 +26,7 @@ constexpr double kStays = 0.5e-3;  // [m] that what is placed may move
 
 struct Book {
   ShippedTask task;
-  DemonstratorBook book = DemonstratorBook::FromConfig(
+  vtb::DemonstratorBook book = vtb::DemonstratorBook::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task.parts);
 };
 

@@ -22,6 +22,8 @@
 #include "common/bus/stepper.h"
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 /// The testbed on a bus that a test feeds.

@@ -12,6 +12,8 @@
 #include "services/vtb/tabletop.h"
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 using Eigen::Isometry3d;

@@ -9,6 +9,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace library;
 namespace {
 
 namespace fs = std::filesystem;

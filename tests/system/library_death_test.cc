@@ -24,6 +24,8 @@
 
 namespace cell {
 
+using namespace library;
+
 using namespace cli;
 namespace {
 

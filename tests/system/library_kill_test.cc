@@ -12,6 +12,8 @@
 #include "services/library/sqlite_action_store.h"
 
 namespace cell {
+
+using namespace library;
 namespace {
 
 namespace fs = std::filesystem;

@@ -13,6 +13,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace library;
 namespace {
 
 using testing::HasSubstr;

@@ -16,6 +16,8 @@
 #include "services/library/sqlite_schema.h"
 
 namespace cell {
+
+using namespace library;
 namespace {
 
 namespace fs = std::filesystem;

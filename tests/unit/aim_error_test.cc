@@ -6,6 +6,8 @@
 #include <numbers>
 
 namespace cell {
+
+using namespace robot_arm;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;

@@ -6,6 +6,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace robot_arm;
 namespace {
 
 using Eigen::Isometry3d;

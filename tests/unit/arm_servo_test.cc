@@ -6,6 +6,8 @@
 #include <numbers>
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 constexpr double kTick = 0.008;

@@ -59,7 +59,7 @@ class AssemblyObserverTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  DemonstratorBook book_ = DemonstratorBook::FromConfig(
+  vtb::DemonstratorBook book_ = vtb::DemonstratorBook::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
   AssemblyObserver observer_{task_.parts, book_};
   int64_t utime_ = 0;

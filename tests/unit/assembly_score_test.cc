@@ -48,7 +48,7 @@ class AssemblyScoreTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  DemonstratorBook book_ = DemonstratorBook::FromConfig(
+  vtb::DemonstratorBook book_ = vtb::DemonstratorBook::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
   std::map<std::string, Isometry3d> poses_;
 };

@@ -17,6 +17,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace camera_set;
 namespace {
 
 using testing::HasSubstr;

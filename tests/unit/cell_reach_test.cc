@@ -15,6 +15,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 using Eigen::AngleAxisd;

@@ -14,6 +14,8 @@
 
 namespace cell {
 
+using namespace planner;
+
 /// The shipped task, and how a person changes its state.
 struct Cranfield {
   Cranfield() {

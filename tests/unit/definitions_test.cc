@@ -131,6 +131,19 @@ TEST(Definitions, AreOneForEachTypeOfTheProgramsAndMessages) {
   EXPECT_THAT(TwinsIn(sources), IsEmpty());
 }
 
+TEST(Definitions, OfAServiceAreInItsNamespace) {
+  int num_types = 0;
+  for (const auto& [file, text] : SourcesBelow({"services"})) {
+    const std::string folder = *std::next(fs::path(file).begin());
+    const std::string own = folder == "cell" ? "cli" : folder;
+    ForEachType(text, [&, name = file](const std::string& type) {
+      ++num_types;
+      EXPECT_THAT(type, testing::StartsWith("cell::" + own + "::")) << name;
+    });
+  }
+  EXPECT_GT(num_types, 100);
+}
+
 TEST(Definitions, OfAPlantedPairAreFound) {
   Sources sources = SourcesBelow({"common", "services", "lcmtypes"});
   sources["planted.h"] =

@@ -6,6 +6,8 @@
 #include <vector>
 
 namespace cell {
+
+using namespace sec_builder;
 namespace {
 
 using testing::IsEmpty;

@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace cell {
+
+using namespace planner;
 namespace {
 
 using testing::ElementsAre;

@@ -19,6 +19,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace robot_arm;
 namespace {
 
 using Eigen::AngleAxisd;

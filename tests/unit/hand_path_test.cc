@@ -5,6 +5,8 @@
 #include <random>
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 using Eigen::Isometry3d;

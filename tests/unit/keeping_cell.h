@@ -18,6 +18,9 @@
 /// kept, the library, and a recorder.
 namespace cell::keeping {
 
+using namespace library;
+using namespace recorder;
+
 inline constexpr int32_t kRequestPeriod = 40;  ///< [ticks] of LIBRARY_REQUEST
 
 /// An action that the shipped task's library keeps.

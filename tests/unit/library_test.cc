@@ -22,6 +22,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace library;
 namespace {
 
 namespace fs = std::filesystem;

@@ -23,6 +23,8 @@
 
 namespace cell {
 
+using namespace recorder;
+
 using namespace cli;
 namespace {
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 namespace cell {
+
+using namespace sec_builder;
 namespace {
 
 constexpr int64_t kFrame = 96'000;

@@ -7,6 +7,8 @@
 #include <string>
 
 namespace cell {
+
+using namespace planner;
 namespace {
 
 using testing::HasSubstr;

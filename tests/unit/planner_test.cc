@@ -11,6 +11,8 @@
 #include "tests/unit/cranfield_domain.h"
 
 namespace cell {
+
+using namespace planner;
 namespace {
 
 using testing::HasSubstr;

@@ -10,6 +10,9 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace sec_builder;
+using namespace tracker;
 namespace {
 
 using Eigen::Isometry3d;

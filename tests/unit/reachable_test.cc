@@ -12,6 +12,9 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace robot_arm;
+using namespace vtb;
 namespace {
 
 using Eigen::Isometry3d;

@@ -9,6 +9,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace recognizer;
 namespace {
 
 using testing::ElementsAre;

@@ -14,6 +14,8 @@
 #include "services/camera_set/recorded_device.h"
 
 namespace cell {
+
+using namespace camera_set;
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace cell {
+
+using namespace robot_arm;
 namespace {
 
 using Advice = RightOfWay::Advice;

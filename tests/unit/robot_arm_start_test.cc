@@ -11,6 +11,8 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace robot_arm;
 namespace {
 
 /// The shipped deployment with a task folder that a test may change.

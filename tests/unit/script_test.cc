@@ -8,6 +8,8 @@
 #include <string>
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 constexpr char kTask[] = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";

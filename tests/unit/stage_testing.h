@@ -20,6 +20,8 @@
 
 namespace cell {
 
+using namespace tracker;
+
 /// The shipped task, for tests.
 inline Deployment ShippedDeployment() {
   const std::filesystem::path source = CELL_SOURCE_DIR;

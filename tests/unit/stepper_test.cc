@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "cell/status_t.hpp"
+#include "common/bus/decode.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -111,6 +113,25 @@ TEST(Stepper, CountsWhatItCannotUseAndSaysSoInStatus) {
   EXPECT_EQ(status.counters[0].value, 1);
   EXPECT_EQ(status.counters[1].name, "rejected:A");
   EXPECT_EQ(status.counters[1].value, 1);
+}
+
+TEST(Stepper, RejectsWhatWasMeasuredAtATimeThatNoRunHas) {
+  Stepper stepper({.name = "s"});
+  int num_seen = 0;
+  stepper.Subscribe<status_t>("A", [&](const status_t&) { ++num_seen; });
+  int32_t seq = 0;
+  std::vector<Message> inputs;
+  for (const int64_t utime :
+       {std::numeric_limits<int64_t>::min(), int64_t{-1}, int64_t{0}, kMaxUtime,
+        kMaxUtime + 1, std::numeric_limits<int64_t>::max()}) {
+    Bytes bytes = Bus::Encode(Number(utime, 1));
+    WriteIdentity(1, 0, seq++, bytes);
+    inputs.push_back(*MessageFromWire("A", bytes));
+  }
+  stepper.Accept(1, inputs);
+  stepper.Run();
+  EXPECT_EQ(num_seen, 2);
+  EXPECT_EQ(stepper.num_rejected().at("A"), 4);
 }
 
 TEST(Stepper, RefusesGroundTruthToWhoEstimates) {

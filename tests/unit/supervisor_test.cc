@@ -13,6 +13,8 @@
 #include "common/bus/stepper.h"
 
 namespace cell {
+
+using namespace supervisor;
 namespace {
 
 using testing::HasSubstr;

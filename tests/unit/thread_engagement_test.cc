@@ -6,6 +6,8 @@
 #include <numbers>
 
 namespace cell {
+
+using namespace vtb;
 namespace {
 
 using State = ThreadEngagement::State;

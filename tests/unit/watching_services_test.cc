@@ -30,6 +30,12 @@
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
+
+using namespace planner;
+using namespace predicate_estimator;
+using namespace recognizer;
+using namespace sec_builder;
+using namespace tracker;
 namespace {
 
 using Eigen::Isometry3d;

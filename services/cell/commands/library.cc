@@ -19,6 +19,8 @@
 #include "services/library/sqlite_action_store.h"
 
 namespace cell::cli {
+
+using namespace library;
 namespace {
 
 struct LibraryOptions {

@@ -23,6 +23,8 @@
 #include "services/recorder/rotating_log.h"
 
 namespace cell::cli {
+
+using namespace recorder;
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,6 +12,8 @@
 
 namespace cell::cli {
 
+using namespace vtb;
+
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
     const auto request = Decode<skill_request_t>(message);

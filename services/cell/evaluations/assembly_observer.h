@@ -33,7 +33,7 @@ class AssemblyObserver {
   };
 
   /// Both must outlive this object.
-  AssemblyObserver(const PartTable& parts, const DemonstratorBook& book)
+  AssemblyObserver(const PartTable& parts, const vtb::DemonstratorBook& book)
       : parts_(parts), book_(book) {}
 
   /// Messages in canonical order. Those that do not decode are passed over.
@@ -48,7 +48,7 @@ class AssemblyObserver {
   void CompareWithEarlier();
 
   const PartTable& parts_;
-  const DemonstratorBook& book_;
+  const vtb::DemonstratorBook& book_;
   Record record_;
   std::set<int64_t> inserts_;  // ids of requests
   PoseLooks looks_;

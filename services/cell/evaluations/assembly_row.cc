@@ -12,6 +12,8 @@
 #include "services/cell/running/sim_run.h"
 
 namespace cell::cli {
+
+using namespace vtb;
 namespace {
 
 using nlohmann::json;

@@ -7,6 +7,8 @@
 #include "common/geometry/pose.h"
 
 namespace cell::cli {
+
+using namespace vtb;
 namespace {
 
 using Eigen::Isometry3d;

@@ -26,6 +26,6 @@ struct AssemblyScore {
 /// @throws std::invalid_argument if not.
 AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
                             const truth_poses_t& now, const PartTable& parts,
-                            const DemonstratorBook& book);
+                            const vtb::DemonstratorBook& book);
 
 }  // namespace cell::cli

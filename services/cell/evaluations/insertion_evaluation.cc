@@ -16,6 +16,10 @@
 #include "services/robot_arm/robot_arm.h"
 
 namespace cell::cli {
+
+using namespace vtb;
+
+using namespace robot_arm;
 namespace {
 
 using nlohmann::json;

@@ -9,6 +9,8 @@
 #include "services/cell/evaluations/assembly_score.h"
 
 namespace cell::cli {
+
+using namespace vtb;
 namespace {
 
 constexpr int32_t kCalm = 125;          // [ticks] from a stop's end to the next

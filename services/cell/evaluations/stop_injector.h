@@ -41,7 +41,7 @@ class StopInjector {
  public:
   /// All must outlive this object.
   StopInjector(SimBus& bus, const PartTable& parts,
-               const DemonstratorBook& book, uint64_t seed)
+               const vtb::DemonstratorBook& book, uint64_t seed)
       : bus_(bus), parts_(parts), book_(book), seed_(seed) {}
 
   /// Messages in canonical order. Those that do not decode are passed over.
@@ -67,7 +67,7 @@ class StopInjector {
 
   SimBus& bus_;
   const PartTable& parts_;
-  const DemonstratorBook& book_;
+  const vtb::DemonstratorBook& book_;
   uint64_t seed_;
   std::map<std::string, Skill> skills_;  // by arm
   std::map<int64_t, skill_request_t> requests_;

@@ -10,6 +10,8 @@
 #include "services/cell/evaluations/stop_injector.h"
 
 namespace cell::cli {
+
+using namespace vtb;
 namespace {
 
 using nlohmann::json;

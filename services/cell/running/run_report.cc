@@ -15,6 +15,8 @@
 #include "services/cell/pictures/scene_picture.h"
 
 namespace cell::cli {
+
+using namespace vtb;
 namespace {
 
 double SimSeconds(int32_t tick) {

@@ -19,6 +19,18 @@
 
 namespace cell::cli {
 
+using namespace camera_set;
+using namespace library;
+using namespace planner;
+using namespace predicate_estimator;
+using namespace recognizer;
+using namespace recorder;
+using namespace robot_arm;
+using namespace sec_builder;
+using namespace supervisor;
+using namespace tracker;
+using namespace vtb;
+
 std::map<std::string, ServiceFactory> AllServices(
     const Deployment& deployment, const std::string& demonstration,
     uint64_t seed) {

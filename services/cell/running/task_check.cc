@@ -21,6 +21,9 @@
 #include "services/vtb/script.h"
 
 namespace cell::cli {
+
+using namespace robot_arm;
+using namespace vtb;
 namespace {
 
 using Names = std::vector<std::string>;
