@@ -26,27 +26,29 @@ ArmWorker::ArmWorker(const Params& params)
     : params_(params),
       kinematics_(*params_.layout.FindArm(params_.arm)),
       sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
-      planner_(params_),
+      monitor_({params.arm, params.layout, params.parts,
+                params.settings.motion.clearance}),
+      reachable_(params_.parts, monitor_, client_),
       // Who inserts goes first.
       way_of_others_(params_.layout.FindArm(params_.arm)->X_FS.has_value()),
       way_of_people_(true) {}
 
 void ArmWorker::See(const std::map<std::string, Isometry3d>& poses) {
-  poses_ = poses;
-  planner_.SetParts(poses_);
+  monitor_.SetParts(poses);
+  reachable_.Update(poses);
 }
 
 void ArmWorker::SeeOther(const std::string& arm, const ArmPosture& posture,
                          bool is_gripping) {
-  planner_.SetOther(arm, posture, is_gripping);
+  monitor_.SetOther(arm, posture, is_gripping);
 }
 
 void ArmWorker::SeeHands(std::vector<Vector3d> points) {
-  planner_.SetHands(std::move(points));
+  monitor_.SetHands(std::move(points));
 }
 
 std::vector<std::string> ArmWorker::Reachable() const {
-  return planner_.Reachable();
+  return reachable_.List();
 }
 
 void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
@@ -65,7 +67,7 @@ void ArmWorker::Begin(const SkillRequest& request, Leave leave) {
   // What an earlier life or a stop has left it at: by now it is known where
   // parts are.
   if (!std::exchange(knows_place_, true)) {
-    is_near_ = planner_.IsNearSomething(command_->q);
+    is_near_ = monitor_.IsNearSomething(command_->q);
   }
   PlanSkill();
 }
@@ -102,7 +104,7 @@ std::optional<std::string> ArmWorker::WhyNot(
     const SkillRequest& request) const {
   if (!held_ && reading_.is_gripping) return "nobody knows what it holds";
   // It may be held by a site as well.
-  if (held_ && !poses_.contains(held_->part)) {
+  if (held_ && !monitor_.poses().contains(held_->part)) {
     return "nobody knows where " + held_->part + " is";
   }
   if (request.kind == SkillRequest::Kind::kGoHome ||
@@ -115,7 +117,7 @@ std::optional<std::string> ArmWorker::WhyNot(
   if (held_ && held_->part != request.part && SiteOfHeld() == nullptr) {
     return "it holds " + held_->part;
   }
-  if (!poses_.contains(request.part)) {
+  if (!monitor_.poses().contains(request.part)) {
     return "nobody knows where " + request.part + " is";
   }
   if (request.kind != SkillRequest::Kind::kInsert) return std::nullopt;
@@ -124,7 +126,7 @@ std::optional<std::string> ArmWorker::WhyNot(
   if (!params_.layout.FindArm(params_.arm)->X_FS) {
     return "it has no force-torque sensor";
   }
-  if (!poses_.contains(site->host)) {
+  if (!monitor_.poses().contains(site->host)) {
     return "nobody knows where " + site->host + " is";
   }
   return std::nullopt;
@@ -137,7 +139,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
   still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
   if (params_.layout.FindArm(params_.arm)->X_FS) sensor_.Update(reading, dt);
   KnowHeld();
-  planner_.RefreshReachable();
+  reachable_.Step(dt);
   if (reading.is_stopped && request_) {
     End(SkillResult::Outcome::kStopped,
         "protective stop: " + reading.why_stopped);
@@ -156,15 +158,16 @@ ArmCommand ArmWorker::Step(const ArmReading& reading, Leave leave, double dt) {
 /// Before it would come too near: people come first, then the arm that inserts.
 bool ArmWorker::Waits(double dt) {
   const ArmPosture now{command_->q, command_->grip, command_->opening};
-  ArmPlanner::WayAhead way;
+  SceneMonitor::WayAhead way;
   for (const double seconds : kLookAhead) {
     if (stage_) way.push_back(stage_->Ahead(seconds, command_->q));
   }
-  const bool is_person_there = stage_ && planner_.MeetsPerson(now, way);
+  const bool is_person_there = stage_ && monitor_.MeetsPerson(now, way);
+  TakeOtherWay(dt);
   if (Heeds(way_of_people_.Step(is_person_there, dt), kPersonInTheWay)) {
     return true;
   }
-  const bool is_other_there = stage_ && planner_.MeetsOther(now, way);
+  const bool is_other_there = stage_ && monitor_.MeetsOther(now, way);
   return Heeds(way_of_others_.Step(is_other_there, dt),
                "another arm is in the way");
 }
@@ -181,13 +184,29 @@ void ArmWorker::GoAround() {
   if (!stage_ || !stage_->HasOtherWays()) return;
   Todo::Made made = todos_.front().make();
   if (auto* stage = std::get_if<std::unique_ptr<SkillStage>>(&made)) {
-    stage_ = std::move(*stage);
+    other_way_ = std::move(*stage);
+  }
+}
+
+/// As long as it stands where it asked from.
+void ArmWorker::TakeOtherWay(double dt) {
+  if (!other_way_) return;
+  switch (other_way_->Prepare(dt)) {
+    case SkillStage::State::kWaiting:
+      return;
+    case SkillStage::State::kFailed:
+      return other_way_.reset();
+    default:
+      stage_ = std::move(other_way_);
   }
 }
 
 void ArmWorker::Advance(double dt) {
   if (!stage_ && !BeginNext()) return;
+  other_way_.reset();
   switch (stage_->Step(reading_, dt, &*command_)) {
+    case SkillStage::State::kWaiting:
+      return;
     case SkillStage::State::kRunning:
       has_moved_ |= dt > 0;
       return;
@@ -227,6 +246,7 @@ void ArmWorker::FinishFirst() {
 /// Draws back from what is near, then the skill has failed.
 void ArmWorker::OnFailure(const std::string& reason) {
   stage_.reset();
+  other_way_.reset();
   todos_.clear();
   using Outcome = SkillResult::Outcome;
   const bool is_person = reason == kPersonInTheWay;
@@ -257,6 +277,7 @@ void ArmWorker::End(SkillResult::Outcome outcome, const std::string& reason) {
   request_.reset();
   todos_.clear();
   stage_.reset();
+  other_way_.reset();
   phase_.clear();
 }
 
@@ -271,14 +292,15 @@ std::string ArmWorker::held() const {
 
 /// The site that holds what the gripper holds; nullptr if there is none.
 const Site* ArmWorker::SiteOfHeld() const {
-  return held_ ? FindHoldingSite(held_->part, params_.parts, poses_) : nullptr;
+  return held_ ? FindHoldingSite(held_->part, params_.parts, monitor_.poses())
+               : nullptr;
 }
 
 /// The hand is empty, or nobody knows what is in it.
 void ArmWorker::ForgetHeld() {
   held_.reset();
   sensor_.Unload();
-  planner_.SetHeld(std::nullopt);
+  monitor_.SetHeld(std::nullopt);
 }
 
 void ArmWorker::Hold(const std::string& name, const Isometry3d& X_GO) {
@@ -299,12 +321,12 @@ void ArmWorker::KnowHeld() {
   }
   if (held_ || request_ || still_ < kLookTime) return;
   const auto part =
-      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+      monitor_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
   if (!part) return;
   grasp_.grip = reading_.stance;
   grasp_.width = reading_.opening;
   const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
-  Hold(*part, X_WG.inverse() * poses_.at(*part));
+  Hold(*part, X_WG.inverse() * monitor_.poses().at(*part));
 }
 
 }  // namespace cell::robot_arm

@@ -10,13 +10,17 @@
 #include <variant>
 #include <vector>
 
-#include "services/robot_arm/arm_planner.h"
 #include "services/robot_arm/arm_reading.h"
 #include "services/robot_arm/contact_sensor.h"
+#include "services/robot_arm/motion_client.h"
 #include "services/robot_arm/motions.h"
+#include "services/robot_arm/or_reason.h"
+#include "services/robot_arm/reachable_parts.h"
 #include "services/robot_arm/right_of_way.h"
+#include "services/robot_arm/scene_monitor.h"
 #include "services/robot_arm/seating.h"
 #include "services/robot_arm/skill.h"
+#include "services/robot_arm/skill_settings.h"
 #include "services/robot_arm/skill_stage.h"
 #include "services/robot_arm/tool_kinematics.h"
 
@@ -26,7 +30,12 @@ namespace cell::robot_arm {
 /// after the other. Pure: what comes out is a function of what it was told.
 class ArmWorker {
  public:
-  using Params = ArmPlanner::Params;
+  struct Params {
+    std::string arm;
+    CellLayout layout;
+    PartTable parts;
+    SkillSettings settings;
+  };
   /// What the supervisor allows.
   enum class Leave {
     kMove,    ///< go on
@@ -44,6 +53,11 @@ class ArmWorker {
   void SeeHands(std::vector<Eigen::Vector3d> points);
   void SeeOther(const std::string& arm, const ArmPosture& posture,
                 bool is_gripping);
+
+  /// What it asks of the planner of motions since the last call.
+  std::vector<MotionRequest> TakeRequests() { return client_.TakeRequests(); }
+  /// An answer; false if it does not wait for it.
+  bool Put(const MotionPlan& plan) { return client_.Put(plan); }
 
   /// Takes the skill, or refuses it: then there is a result at once.
   void Begin(const SkillRequest& request, Leave leave);
@@ -73,7 +87,7 @@ class ArmWorker {
     std::function<void()> then;  ///< when it is done; may be empty
   };
 
-  using TargetMaker = std::function<OrReason<PlaceTarget>()>;
+  using RequestMaker = std::function<OrReason<MotionRequest>()>;
   using Until = MoveFingers::Until;
 
   /// [m] that each finger opens at first, beside a seated part.
@@ -85,6 +99,7 @@ class ArmWorker {
   bool Waits(double dt);
   bool Heeds(RightOfWay::Advice advice, const std::string& reason);
   void GoAround();
+  void TakeOtherWay(double dt);
   void Advance(double dt);
   bool BeginNext();
   void FinishFirst();
@@ -102,14 +117,21 @@ class ArmWorker {
   void PlanTurnOn(const Thread& thread);
   void PlanPresent();
   void PlanPutDown();
-  void PlanSetDown(const Eigen::AlignedBox2d& area, ArmPlanner::Taker taker);
-  void PlanGrasp(const TargetMaker& target);
-  void PlanTake(const TargetMaker& target);
-  void PlanCarry(const TargetMaker& target);
+  void PlanSetDown(const Eigen::AlignedBox2d& area, bool is_for_other_arm);
+  /// Where the part is to go next tells which grasps are good.
+  enum class Next { kUnknown, kToSite };
+  void PlanGrasp(Next next);
+  void PlanTake(Next next);
+  void PlanCarry(const RequestMaker& place);
   void PlanLetGo();
   void PlanDrawBack();
   void PlanGoHome();
 
+  MotionRequest Request(MotionRequest::Kind kind) const;
+  OrReason<MotionRequest> GraspRequest(Next next) const;
+  OrReason<MotionRequest> PlaceAtSiteRequest() const;
+  Todo::Made Ask(const OrReason<MotionRequest>& request,
+                 std::function<void(const MotionPlan&)> use);
   Todo::Made Transit(const Joints& q);
   Todo::Made Line(const Eigen::Isometry3d& X_WG);
   Todo::Made LineBy(const Eigen::Vector3d& way_W);
@@ -125,15 +147,17 @@ class ArmWorker {
   Params params_;
   ToolKinematics kinematics_;
   ContactSensor sensor_;
-  ArmPlanner planner_;
-  std::map<std::string, Eigen::Isometry3d> poses_;
+  SceneMonitor monitor_;
+  MotionClient client_;
+  ReachableParts reachable_;
   ArmReading reading_;
   double still_ = 0;  // [s] that it has been at rest
   std::optional<ArmCommand> command_;
   std::optional<HeldPart> held_;
   std::optional<SkillRequest> request_;
   std::deque<Todo> todos_;
-  std::unique_ptr<SkillStage> stage_;  // of the first of them
+  std::unique_ptr<SkillStage> stage_;      // of the first of them
+  std::unique_ptr<SkillStage> other_way_;  // the same, while it gets ready
   std::string phase_;
   GraspChoice grasp_;  // of the part that is taken ...
   Eigen::Isometry3d X_WO_grasp_ = Eigen::Isometry3d::Identity();  // ... there

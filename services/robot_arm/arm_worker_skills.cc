@@ -33,24 +33,22 @@ void ArmWorker::AddWaitForHands(std::function<Vector3d()> point,
       "wait for the person",
       [this, point]() -> Todo::Made {
         return std::make_unique<WaitUntil>(
-            [this, point] { return !planner_.IsHandNear(point()); }, kPatience,
+            [this, point] { return !monitor_.IsHandNear(point()); }, kPatience,
             kPersonInTheWay);
       },
       std::move(then));
 }
 
 void ArmWorker::PlanInsert() {
-  const auto target = [this] {
-    return TargetAtSite();
-  };
   const Site& site = *params_.parts.FindSite(request_->site);
   const Thread* thread = params_.parts.FindThread(site.type);
   if (thread != nullptr && !held_ &&
-      FindHoldingSite(request_->part, params_.parts, poses_) == &site) {
+      FindHoldingSite(request_->part, params_.parts, monitor_.poses()) ==
+          &site) {
     return PlanTurnOn(*thread);
   }
-  if (!held_) PlanTake(target);
-  PlanCarry(target);
+  if (!held_) PlanTake(Next::kToSite);
+  PlanCarry([this] { return PlaceAtSiteRequest(); });
   Add("tare", [this]() -> Todo::Made {
     is_near_ = true;
     return std::make_unique<Tare>(sensor_);
@@ -75,7 +73,7 @@ void ArmWorker::PlanInsert() {
 void ArmWorker::PlanTurnOn(const Thread& thread) {
   // Before anything touches the fingers: the thread carries the part's weight.
   Add("tare", [this] { return std::make_unique<Tare>(sensor_); });
-  PlanGrasp([this] { return TargetAtSite(); });
+  PlanGrasp(Next::kToSite);
   Add("turn", [this, pitch = thread.pitch]() -> Todo::Made {
     sensor_.Unload();
     auto target = TargetAtSite();
@@ -98,22 +96,24 @@ void ArmWorker::PlanTurnOn(const Thread& thread) {
 
 /// Where the other arm can take it.
 void ArmWorker::PlanPresent() {
-  if (!held_) PlanTake({});
-  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange,
-              ArmPlanner::Taker::kOtherArm);
+  if (!held_) PlanTake(Next::kUnknown);
+  PlanSetDown(params_.layout.FindArm(params_.arm)->exchange, true);
 }
 
 void ArmWorker::PlanPutDown() {
   if (!held_) return PlanGoHome();
   const CellLayout::PartsArea& area = params_.layout.parts_area;
   PlanSetDown({area.centre - area.size / 2, area.centre + area.size / 2},
-              ArmPlanner::Taker::kAnyone);
+              false);
 }
 
 void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area,
-                            ArmPlanner::Taker taker) {
-  PlanCarry([this, area, taker] {
-    return planner_.FindFreePlace(area, taker, command_->q);
+                            bool is_for_other_arm) {
+  PlanCarry([this, area, is_for_other_arm]() -> OrReason<MotionRequest> {
+    MotionRequest request = Request(MotionRequest::Kind::kSetDown);
+    request.area = area;
+    request.is_for_other_arm = is_for_other_arm;
+    return request;
   });
   Add("set down", [this]() -> Todo::Made {
     is_near_ = true;
@@ -124,38 +124,33 @@ void ArmWorker::PlanSetDown(const Eigen::AlignedBox2d& area,
 }
 
 /// Until the fingers hold the part, where it stands.
-void ArmWorker::PlanGrasp(const TargetMaker& target) {
-  Add("plan the grasp", [this, target]() -> Todo::Made {
-    std::optional<PlaceTarget> wanted;
-    if (target) {
-      auto made = target();
-      if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-      wanted = std::get<PlaceTarget>(made);
-    }
-    planner_.SetHeld(std::nullopt);
-    auto planned = planner_.PlanPick(request_->part, wanted, command_->q);
-    if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    grasp_ = std::get<GraspChoice>(planned);
-    X_WO_grasp_ = poses_.at(request_->part);
-    return std::unique_ptr<SkillStage>();
+void ArmWorker::PlanGrasp(Next next) {
+  Add("plan the grasp", [this, next]() -> Todo::Made {
+    monitor_.SetHeld(std::nullopt);
+    X_WO_grasp_ = monitor_.poses().at(request_->part);
+    return Ask(GraspRequest(next),
+               [this](const MotionPlan& plan) { grasp_ = plan.grasp; });
   });
-  AddWaitForHands([this] { return poses_.at(request_->part).translation(); });
+  AddWaitForHands(
+      [this] { return monitor_.poses().at(request_->part).translation(); });
   Add("open", [this] { return Fingers(grasp_.opening, Until::kThere); });
   Add("go to " + request_->part, [this] { return Transit(grasp_.q_approach); });
-  AddWaitForHands([this] { return poses_.at(request_->part).translation(); },
-                  [this] {
-                    // Where a person has put it now it wants another grasp.
-                    if (HasMoved(X_WO_grasp_, poses_.at(request_->part)))
-                      PlanSkill();
-                  });
+  AddWaitForHands(
+      [this] { return monitor_.poses().at(request_->part).translation(); },
+      [this] {
+        // Where a person has put it now it wants another grasp.
+        if (HasMoved(X_WO_grasp_, monitor_.poses().at(request_->part)))
+          PlanSkill();
+      });
   Add("reach", [this] {
     is_near_ = true;
-    return Line(poses_.at(request_->part) * grasp_.X_OG);
+    return Line(monitor_.poses().at(request_->part) * grasp_.X_OG);
   });
   Add(
       "close",
       [this]() -> Todo::Made {
-        if (planner_.IsHandNear(poses_.at(request_->part).translation())) {
+        if (monitor_.IsHandNear(
+                monitor_.poses().at(request_->part).translation())) {
           return kPersonInTheWay;
         }
         return Fingers(grasp_.width - params_.settings.fingers.close_beyond,
@@ -163,12 +158,13 @@ void ArmWorker::PlanGrasp(const TargetMaker& target) {
       },
       [this] {
         const Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
-        Hold(request_->part, X_WG.inverse() * poses_.at(request_->part));
+        Hold(request_->part,
+             X_WG.inverse() * monitor_.poses().at(request_->part));
       });
 }
 
-void ArmWorker::PlanTake(const TargetMaker& target) {
-  PlanGrasp(target);
+void ArmWorker::PlanTake(Next next) {
+  PlanGrasp(next);
   Add(
       "lift",
       [this] {
@@ -177,16 +173,14 @@ void ArmWorker::PlanTake(const TargetMaker& target) {
       [this] { is_near_ = false; });
 }
 
-void ArmWorker::PlanCarry(const TargetMaker& target) {
-  Add("plan the way", [this, target]() -> Todo::Made {
-    planner_.SetHeld(held_);
-    auto made = target();
-    if (auto* reason = std::get_if<std::string>(&made)) return *reason;
-    target_ = std::get<PlaceTarget>(made);
-    auto planned = planner_.PlanPlace(target_, command_->q);
-    if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-    place_ = std::get<PlaceChoice>(planned);
-    return std::unique_ptr<SkillStage>();
+void ArmWorker::PlanCarry(const RequestMaker& place) {
+  Add("plan the way", [this, place]() -> Todo::Made {
+    monitor_.SetHeld(held_);
+    return Ask(place(), [this](const MotionPlan& plan) {
+      target_ = plan.target;
+      place_.X_WO = plan.X_WO;
+      place_.q_approach = plan.waypoints.back();
+    });
   });
   AddWaitForHands([this] { return target_.X_WO.translation(); });
   Add("carry", [this] { return Transit(place_.q_approach); });
@@ -206,7 +200,7 @@ void ArmWorker::PlanLetGo() {
 /// nothing, leave it room.
 void ArmWorker::PlanGoFree() {
   const auto part =
-      planner_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+      monitor_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
   if (part && !held_) {
     double width = 0;
     for (const Grasp& grasp : params_.parts.Find(*part)->grasps) {
@@ -237,12 +231,51 @@ void ArmWorker::PlanGoHome() {
 
 // ---- what the stages are made of
 
+MotionRequest ArmWorker::Request(MotionRequest::Kind kind) const {
+  ArmPosture posture{command_->q, command_->grip, command_->opening};
+  if (held_) posture = {command_->q, held_->grip, held_->width};
+  return monitor_.MakeRequest(kind, posture);
+}
+
+OrReason<MotionRequest> ArmWorker::GraspRequest(Next next) const {
+  MotionRequest request = Request(MotionRequest::Kind::kGrasp);
+  request.part = request_->part;
+  if (next == Next::kToSite) {
+    auto target = TargetAtSite();
+    if (auto* reason = std::get_if<std::string>(&target)) return *reason;
+    request.target = std::get<PlaceTarget>(target);
+  }
+  return request;
+}
+
+OrReason<MotionRequest> ArmWorker::PlaceAtSiteRequest() const {
+  MotionRequest request = Request(MotionRequest::Kind::kPlace);
+  auto target = TargetAtSite();
+  if (auto* reason = std::get_if<std::string>(&target)) return *reason;
+  request.target = std::get<PlaceTarget>(target);
+  return request;
+}
+
+ArmWorker::Todo::Made ArmWorker::Ask(
+    const OrReason<MotionRequest>& request,
+    std::function<void(const MotionPlan&)> use) {
+  if (auto* reason = std::get_if<std::string>(&request)) return *reason;
+  return std::make_unique<AwaitPlan>(client_, std::get<MotionRequest>(request),
+                                     std::move(use));
+}
+
 ArmWorker::Todo::Made ArmWorker::Transit(const Joints& q) {
-  auto planned =
-      planner_.PlanTransit(command_->q, q, command_->opening, command_->grip);
-  if (auto* reason = std::get_if<std::string>(&planned)) return *reason;
-  return std::make_unique<FollowTrajectory>(
-      std::get<JointTrajectory>(std::move(planned)));
+  MotionRequest request =
+      monitor_.MakeRequest(MotionRequest::Kind::kWay,
+                           {command_->q, command_->grip, command_->opening});
+  request.goal = q;
+  const MotionSettings& motion = params_.settings.motion;
+  const ArmLayout& arm = *params_.layout.FindArm(params_.arm);
+  return std::make_unique<FollowWay>(
+      client_, request,
+      JointRates{
+          std::min(motion.transit_speed, arm.model->limits().speed.minCoeff()),
+          motion.transit_acceleration});
 }
 
 /// As far that way [m, in W] as the arm can go.
@@ -272,8 +305,9 @@ ArmWorker::Todo::Made ArmWorker::Fingers(double opening, Until until) {
 
 OrReason<PlaceTarget> ArmWorker::TargetAtSite() const {
   const Site& site = *params_.parts.FindSite(request_->site);
-  const auto host = poses_.find(site.host);
-  if (host == poses_.end()) return "nobody knows where " + site.host + " is";
+  const auto host = monitor_.poses().find(site.host);
+  if (host == monitor_.poses().end())
+    return "nobody knows where " + site.host + " is";
   PlaceTarget target = TargetAt(site, host->second);
   const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
   target.X_WO = target.X_WO * params_.settings.aim_error.Of(request_->id) *

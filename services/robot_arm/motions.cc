@@ -34,23 +34,55 @@ bool IsThere(const ArmReading& reading, const ArmCommand& command) {
 
 }  // namespace
 
-FollowTrajectory::FollowTrajectory(JointTrajectory trajectory)
-    : trajectory_(std::move(trajectory)) {}
+SkillStage::State AwaitPlan::Step(const ArmReading&, double dt, ArmCommand*) {
+  switch (inquiry_.Step(dt)) {
+    case MotionInquiry::State::kWaiting:
+      return State::kWaiting;
+    case MotionInquiry::State::kFound:
+      use_(inquiry_.plan());
+      return State::kDone;
+    case MotionInquiry::State::kNone:
+      break;
+  }
+  return State::kFailed;
+}
 
-SkillStage::State FollowTrajectory::Step(const ArmReading& reading, double dt,
-                                         ArmCommand* command) {
+FollowWay::FollowWay(MotionClient& client, const MotionRequest& request,
+                     const JointRates& rates)
+    : inquiry_(client, request), rates_(rates) {}
+
+SkillStage::State FollowWay::Prepare(double dt) {
+  if (trajectory_) return State::kRunning;
+  switch (inquiry_.Step(dt)) {
+    case MotionInquiry::State::kWaiting:
+      return State::kWaiting;
+    case MotionInquiry::State::kFound:
+      if (inquiry_.plan().waypoints.empty()) return State::kFailed;
+      trajectory_.emplace(inquiry_.plan().waypoints, rates_);
+      return State::kRunning;
+    case MotionInquiry::State::kNone:
+      break;
+  }
+  return State::kFailed;
+}
+
+SkillStage::State FollowWay::Step(const ArmReading& reading, double dt,
+                                  ArmCommand* command) {
+  const State prepared = Prepare(dt);
+  if (prepared != State::kRunning) return prepared;
   time_ += dt;
-  command->q = trajectory_.At(time_).q;
-  if (time_ < trajectory_.duration()) return State::kRunning;
+  command->q = trajectory_->At(time_).q;
+  if (time_ < trajectory_->duration()) return State::kRunning;
   settling_ += dt;
   const bool is_over = settling_ >= kSettleTime &&
                        (IsThere(reading, *command) || settling_ > kPatience);
   return is_over ? State::kDone : State::kRunning;
 }
 
-std::optional<Joints> FollowTrajectory::Ahead(double seconds,
-                                              const Joints& /*q*/) const {
-  return trajectory_.At(time_ + seconds).q;
+std::optional<Joints> FollowWay::Ahead(double seconds,
+                                       const Joints& /*q*/) const {
+  if (!trajectory_) return std::nullopt;
+  return trajectory_->At(time_ + seconds).q;
 }
 
 MoveOnLine::MoveOnLine(const ToolKinematics& kinematics, const Isometry3d& X_WG,
@@ -95,7 +127,7 @@ std::optional<Joints> MoveOnLine::Ahead(double seconds, const Joints& q) const {
 SkillStage::State WaitUntil::Step(const ArmReading&, double dt, ArmCommand*) {
   if (is_so_()) return State::kDone;
   time_ += dt;
-  return time_ < patience_ ? State::kRunning : State::kFailed;
+  return time_ < patience_ ? State::kWaiting : State::kFailed;
 }
 
 MoveFingers::MoveFingers(double opening, const std::string& grip, Until until)

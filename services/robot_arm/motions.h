@@ -7,22 +7,45 @@
 
 #include "common/arms/joint_trajectory.h"
 #include "services/robot_arm/contact_sensor.h"
+#include "services/robot_arm/motion_client.h"
 #include "services/robot_arm/skill_stage.h"
 #include "services/robot_arm/tool_kinematics.h"
 
 namespace cell::robot_arm {
 
-/// Follows a trajectory of the joints.
-class FollowTrajectory : public SkillStage {
+/// Waits for a plan of a motion and hands it on.
+class AwaitPlan : public SkillStage {
  public:
-  explicit FollowTrajectory(JointTrajectory trajectory);
+  /// `client` must outlive this object.
+  AwaitPlan(MotionClient& client, const MotionRequest& request,
+            std::function<void(const MotionPlan&)> use)
+      : inquiry_(client, request), use_(std::move(use)) {}
+  State Step(const ArmReading& reading, double dt,
+             ArmCommand* command) override;
+  std::string reason() const override { return inquiry_.reason(); }
+
+ private:
+  MotionInquiry inquiry_;
+  std::function<void(const MotionPlan&)> use_;
+};
+
+/// Waits for a way of the joints, and follows it.
+class FollowWay : public SkillStage {
+ public:
+  /// `client` must outlive this object.
+  FollowWay(MotionClient& client, const MotionRequest& request,
+            const JointRates& rates);
+  State Prepare(double dt) override;
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
   std::optional<Joints> Ahead(double seconds, const Joints& q) const override;
-  bool HasOtherWays() const override { return true; }
+  bool HasOtherWays() const override { return trajectory_.has_value(); }
+  std::string reason() const override { return inquiry_.reason(); }
 
  private:
-  JointTrajectory trajectory_;
+  MotionInquiry inquiry_;
+  JointRates rates_;
+  std::optional<JointTrajectory> trajectory_;
   double time_ = 0;
   double settling_ = 0;  // [s] since the trajectory's end
 };

@@ -9,6 +9,7 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/arms/cell_check.h"
+#include "common/arms/motion_messages.h"
 #include "common/kinematics/joint_values.h"
 #include "common/layout/limit_words.h"
 #include "common/sec/track.h"
@@ -72,6 +73,8 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
       "TRACKS", [this](const auto& m) { return OnTracks(m); }, 1);
   bus.Subscribe<skill_request_t>(
       "SKILL_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  bus.Subscribe<motion_plan_t>("MOTION_PLAN",
+                               [this](const auto& m) { return OnPlan(m); });
   for (const ArmLayout& arm : params_.worker.layout.arms) {
     bus.Subscribe<arm_state_t>(
         "ARM_STATE_" + ChannelSuffix(arm.name),
@@ -95,6 +98,7 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
 bool RobotArm::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::START) {
     worker_ = std::make_unique<ArmWorker>(params_.worker);
+    start_utime_ = bus_.now();
     last_report_ = {};
     was_held_ = false;
   }
@@ -190,6 +194,17 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
   return true;
 }
 
+bool RobotArm::OnPlan(const motion_plan_t& message) {
+  if (message.arm != name_) return true;
+  const auto plan = FromMessage(message, params_.worker.layout);
+  if (!plan) return false;
+  // What an earlier life has asked for has ids like this one's.
+  if (start_utime_ && message.header.utime >= *start_utime_) {
+    worker_->Put(*plan);
+  }
+  return true;
+}
+
 ArmWorker::Leave RobotArm::LeaveToMove() const {
   using Leave = ArmWorker::Leave;
   if (!permit_ || bus_.now() > permit_->until_utime) return Leave::kFreeze;
@@ -205,12 +220,18 @@ ArmWorker::Leave RobotArm::LeaveToMove() const {
 }
 
 void RobotArm::OnTick() {
+  if (!start_utime_) start_utime_ = bus_.now();
   if (!reading_) return;
   reading_->wrench.reset();
   if (bus_.now() - wrench_utime_ <= kFreshUs) reading_->wrench = wrench_;
   reading_->why_stopped = why_stopped_;
   const ArmCommand command = worker_->Step(*reading_, LeaveToMove(), kTick);
   PublishSetpoint(command);
+  for (const MotionRequest& request : worker_->TakeRequests()) {
+    motion_request_t message = ToMessage(request);
+    message.header.utime = bus_.now();
+    bus_.Publish("MOTION_REQUEST", message);
+  }
   if (const auto result = worker_->TakeResult()) PublishResult(*result);
   PublishReport();
 }

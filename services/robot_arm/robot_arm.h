@@ -12,6 +12,7 @@
 #include "cell/arm_stop_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/motion_permit_t.hpp"
+#include "cell/motion_plan_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
@@ -24,7 +25,8 @@ namespace cell::robot_arm {
 
 /// One arm's skills (section VIII): SKILL_REQUEST, TRACKS and what its device
 /// says in; ARM_SETPOINT_<ARM> every tick, ARM_REPORT_<ARM> and SKILL_RESULT
-/// out. It moves only while MOTION_PERMIT lets it.
+/// out. Where it can go it asks by MOTION_REQUEST, and stands until there is a
+/// MOTION_PLAN. It moves only while MOTION_PERMIT lets it.
 class RobotArm final : public Service {
  public:
   struct Params {
@@ -45,6 +47,7 @@ class RobotArm final : public Service {
   bool OnPermit(const motion_permit_t& message);
   bool OnTracks(const tracks_t& message);
   bool OnRequest(const skill_request_t& message);
+  bool OnPlan(const motion_plan_t& message);
   void OnTick();
   void PublishSetpoint(const ArmCommand& command);
   void PublishResult(const SkillResult& result);
@@ -55,7 +58,8 @@ class RobotArm final : public Service {
   Params params_;
   std::string name_, suffix_;
   std::set<std::string> persons_hands_;
-  std::unique_ptr<ArmWorker> worker_;  // of the episode
+  std::unique_ptr<ArmWorker> worker_;   // of the episode
+  std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
   std::optional<ArmReading::SensedWrench> wrench_;
   int64_t wrench_utime_ = 0;

@@ -14,18 +14,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMaxKp = 3e-5, kMaxKi = 1e-3;
 constexpr double kMaxTurnKp = 4e-3, kMaxTurnKi = 0.15;
 
-SkillSettings::Motion MotionFromConfig(const Config& config) {
-  return {
-      .transit_speed = kDegree * config.Number("transit_speed_deg_s", 1, 180),
-      .transit_acceleration =
-          kDegree * config.Number("transit_acceleration_deg_s2", 1, 2000),
-      .line_speed = kMm * config.Number("line_speed_mm_s", 1, 1000),
-      .clearance = kMm * config.Number("clearance_mm", 0, 100),
-      .approach = kMm * config.Number("approach_mm", 10, 300),
-      .raise = kMm * config.Number("raise_mm", 1, 300),
-  };
-}
-
 /// Reads what `config` says on top of what `seating` has.
 SkillSettings::Seating Refined(SkillSettings::Seating seating,
                                const Config& config) {
@@ -71,10 +59,8 @@ std::set<std::string> SiteTypes(const PartTable& parts) {
 SkillSettings SkillSettings::FromConfig(const Config& config,
                                         const PartTable& parts) {
   SkillSettings settings;
-  settings.motion = MotionFromConfig(config["motion"]);
-  const Config fingers = config["fingers"];
-  settings.fingers = {kMm * fingers.Number("open_margin_mm", 1, 50),
-                      kMm * fingers.Number("close_beyond_mm", 1, 50)};
+  settings.motion = MotionSettings::FromConfig(config["motion"]);
+  settings.fingers = FingerSettings::FromConfig(config["fingers"]);
   const Config insertion = config["insertion"];
   const Seating common = Refined({}, insertion["default"]);
   const std::set<std::string> types = SiteTypes(parts);

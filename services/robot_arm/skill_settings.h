@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "common/arms/motion_settings.h"
 #include "common/config/config.h"
 #include "common/parts/part_table.h"
 #include "services/robot_arm/aim_error.h"
@@ -14,26 +15,14 @@ namespace cell::robot_arm {
 
 /// How arms handle the parts of a task: its skills.yaml.
 struct SkillSettings {
-  struct Motion {
-    double transit_speed = 1.0;         ///< [rad/s] of the fastest joint
-    double transit_acceleration = 2.5;  ///< [rad/s^2]
-    double line_speed = 0.12;           ///< [m/s]
-    double clearance = 0.008;           ///< [m]
-    double approach = 0.10;             ///< [m] straight to a grasp
-    double raise = 0.03;                ///< [m] straight up after a grasp
-  };
-  struct Fingers {
-    double open_margin = 0.014;   ///< [m] beyond the part
-    double close_beyond = 0.006;  ///< [m] narrower than the part
-  };
   /// The last way to a site of some type.
   struct Seating {
     Insertion::Params insertion;
     Eigen::Vector2d aim = Eigen::Vector2d::Zero();  ///< [m] in S, beside it
   };
 
-  Motion motion;
-  Fingers fingers;
+  MotionSettings motion;
+  FingerSettings fingers;
   std::map<std::string, Seating> seatings;  ///< by type of site
   Turning::Params turning;                  ///< pitch as of the thread
   AimError aim_error;                       ///< of evaluations, not of files

@@ -13,7 +13,12 @@ namespace cell::robot_arm {
 /// frozen it is not called; `dt` [s] of its time has passed since it was.
 class SkillStage {
  public:
-  enum class State { kRunning, kDone, kFailed };
+  enum class State {
+    kWaiting,  ///< nothing moves yet
+    kRunning,
+    kDone,
+    kFailed
+  };
 
   virtual ~SkillStage() = default;
   virtual State Step(const ArmReading& reading, double dt,
@@ -26,6 +31,9 @@ class SkillStage {
   }
   /// True if it can be made again on its way, from where it is then.
   virtual bool HasOtherWays() const { return false; }
+  /// Gets ready before its first step: kWaiting until it is, then kRunning, or
+  /// kFailed. `dt` [s] have passed.
+  virtual State Prepare(double /*dt*/) { return State::kRunning; }
   /// Why it has failed, in plain words.
   virtual std::string reason() const { return ""; }
 };

@@ -12,6 +12,7 @@
 #include "common/bus/sim_bus.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/pose_looks.h"
+#include "services/motion_planner/motion_planner.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
 #include "tests/unit/stage_testing.h"
@@ -99,6 +100,7 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
                     {"tracker", 1, "tracker_ideal"},
                     {"robot_arm@left"},
                     {"robot_arm@right"},
+                    {"motion_planner", 3},
                     {"driver"}};
   Outcome outcome;
   std::map<std::string, ServiceFactory> factories;
@@ -107,6 +109,9 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
   };
   factories["tracker"] = [&](Bus& bus) {
     return MakeTracker(bus, deployment);
+  };
+  factories["motion_planner"] = [&](Bus& bus) {
+    return motion_planner::MakeMotionPlanner(bus, deployment);
   };
   for (const char* arm : {"left", "right"}) {
     factories[std::string("robot_arm@") + arm] = [&, arm](Bus& bus) {

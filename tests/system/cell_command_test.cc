@@ -201,7 +201,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
   for (const char* service :
        {"vtb", "tracker", "sec_builder", "recognizer", "predicate_estimator",
         "planner", "robot_arm", "supervisor", "recorder", "library",
-        "camera_set"}) {
+        "motion_planner", "camera_set"}) {
     const ShellResult help =
         Shell(std::string(CELL_BIN_DIR) + "/" + service + " --help");
     EXPECT_EQ(help.code, 0) << service;
@@ -243,7 +243,7 @@ TEST_F(CellCommand, AnOperatorIsAnsweredByARunningCell) {
   std::ofstream(dir_ / "run.sh")
       << "ip link set lo up && ip route add 224.0.0.0/4 dev lo\n"
          "for s in tracker sec_builder recognizer predicate_estimator planner "
-         "supervisor recorder library 'robot_arm --instance left' "
+         "supervisor recorder library motion_planner 'robot_arm --instance left' "
          "'robot_arm --instance right'; do "
       << bin << "/$s --run-dir . & done\n"
       << bin << "/vtb --pace realtime --giveup 60 & clock=$!\n"

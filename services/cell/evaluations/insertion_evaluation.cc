@@ -75,6 +75,7 @@ Roster RosterOf(const Roster& whole) {
   roster.task = whole.task;
   for (const auto& entry : whole.entries) {
     if (entry.name == "vtb" || entry.name == "tracker" ||
+        entry.name == "motion_planner" ||
         entry.name.starts_with("robot_arm@")) {
       roster.entries.push_back(entry);
     }

@@ -22,6 +22,8 @@
 #include "cell/key_frame_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "cell/motion_permit_t.hpp"
+#include "cell/motion_plan_t.hpp"
+#include "cell/motion_request_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
@@ -77,6 +79,8 @@ const std::map<std::string, ChannelType>& Table() {
       {"LIBRARY_REQUEST", Of<library_request_t>()},
       {"MODE", Of<operating_mode_t>()},
       {"MOTION_PERMIT", Of<motion_permit_t>()},
+      {"MOTION_PLAN", Of<motion_plan_t>()},
+      {"MOTION_REQUEST", Of<motion_request_t>()},
       {"PLAN", Of<plan_t>()},
       {"PREDICATES", Of<predicates_t>()},
       {"SENSE_REQUEST", Of<sense_request_t>()},

@@ -7,6 +7,7 @@
 #include "services/camera_set/camera_set.h"
 #include "services/library/library.h"
 #include "services/library/open_store.h"
+#include "services/motion_planner/motion_planner.h"
 #include "services/planner/planner.h"
 #include "services/predicate_estimator/predicate_estimator.h"
 #include "services/recognizer/recognizer.h"
@@ -21,6 +22,7 @@ namespace cell::cli {
 
 using namespace camera_set;
 using namespace library;
+using namespace motion_planner;
 using namespace planner;
 using namespace predicate_estimator;
 using namespace recognizer;
@@ -49,6 +51,7 @@ std::map<std::string, ServiceFactory> AllServices(
       {"recognizer", of(MakeRecognizer)},
       {"predicate_estimator", of(MakePredicateEstimator)},
       {"planner", of(MakePlanner)},
+      {"motion_planner", of(MakeMotionPlanner)},
       {"supervisor", of(MakeSupervisor)},
       {"recorder", of(MakeRecorder)},
   };

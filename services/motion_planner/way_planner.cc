@@ -1,14 +1,13 @@
-#include "services/robot_arm/transit.h"
+#include "services/motion_planner/way_planner.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "common/arms/path_planner.h"
 #include "common/arms/straight_line.h"
 
-namespace cell::robot_arm {
+namespace cell::motion_planner {
 namespace {
 
 constexpr double kViaHeight = 0.22;  // [m] that a way goes over things
@@ -65,9 +64,9 @@ double OverBorder(const ArmLayout& arm, const Joints& q) {
 
 }  // namespace
 
-OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
-                                  const ArmPosture& from, const Joints& to,
-                                  const SkillSettings::Motion& motion) {
+JointPath PlanWay(const ArmScene& scene, const std::string& arm,
+                  const ArmPosture& from, const Joints& to,
+                  const MotionSettings& motion) {
   const ArmLayout& layout = *scene.layout().FindArm(arm);
   std::vector<Joints> vias;
   for (const Joints& q : {from.q, to}) {
@@ -79,10 +78,7 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
   // It may begin and end nearer to the border, but goes no further out.
   const double border =
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
-  const JointRates limits{
-      std::min(motion.transit_speed, layout.model->limits().speed.minCoeff()),
-      motion.transit_acceleration};
-  std::string reason;
+  JointPath none;
   // Where it stands it stands: what is near there must not forbid to leave.
   for (const double clearance : {motion.clearance, kNear, kTouching}) {
     ClearanceRule rule{clearance, {}};
@@ -100,16 +96,16 @@ OrReason<JointTrajectory> PlanWay(const ArmScene& scene, const std::string& arm,
       }
       return ask(q);
     };
-    if (const auto path = UpAndOver(from.q, to, vias, why_blocked, params)) {
-      return JointTrajectory(*path, limits);
+    if (auto waypoints = UpAndOver(from.q, to, vias, why_blocked, params)) {
+      return {*std::move(waypoints), 0, ""};
     }
-    const JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
-    if (path) {
-      return JointTrajectory(path.waypoints, limits);
+    JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
+    if (path) return path;
+    if (none.reason.empty()) {
+      none.reason = "there is no free way: " + path.reason;
     }
-    if (reason.empty()) reason = path.reason;
   }
-  return "there is no free way: " + reason;
+  return none;
 }
 
-}  // namespace cell::robot_arm
+}  // namespace cell::motion_planner

@@ -1,0 +1,243 @@
+#include "common/arms/motion_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/geometry/pose.h"
+#include "common/kinematics/joint_values.h"
+
+namespace cell {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kMaxLength = 10;  // [m]
+constexpr double kMaxTurn = 100;   // [rad]
+constexpr double kUnit = 1e-4;     // by which a direction's length may be off
+constexpr size_t kMaxWaypoints = 10'000;
+
+bool IsLength(double value) {
+  return value >= 0 && value <= kMaxLength;
+}
+
+std::optional<Joints> JointsOf(const std::vector<double>& values,
+                               const ArmModel& model) {
+  const auto q = JointsFromMessage(values);
+  return q && model.IsWithinLimits(*q) ? q : std::nullopt;
+}
+
+place_target_t ToMessage(const PlaceTarget& target) {
+  place_target_t message{};
+  message.pose_world_object = PoseToMessage(target.X_WO);
+  std::copy_n(target.way_out.data(), 3, message.way_out);
+  message.approach = target.approach;
+  message.turn = target.turn;
+  return message;
+}
+
+std::optional<PlaceTarget> FromMessage(const place_target_t& message) {
+  const auto X_WO = PoseFromMessage(message.pose_world_object);
+  const Vector3d way_out(message.way_out);
+  if (!X_WO || !(std::abs(way_out.norm() - 1) < kUnit) ||
+      !IsLength(message.approach) || !(std::abs(message.turn) < kMaxTurn)) {
+    return std::nullopt;
+  }
+  return PlaceTarget{*X_WO, way_out.normalized(), message.approach,
+                     message.turn};
+}
+
+arm_posture_t ToMessage(const std::string& name,
+                        const MotionRequest::Arm& arm) {
+  arm_posture_t message{};
+  message.arm = name;
+  cell::ToMessage(arm.posture.q, &message.num_joints, &message.position);
+  message.opening = arm.posture.opening;
+  message.grip = arm.posture.grip;
+  if (arm.held) message.held = arm.held->part;
+  message.pose_gripper_held =
+      PoseToMessage(arm.held ? arm.held->X_GO : Eigen::Isometry3d::Identity());
+  return message;
+}
+
+std::optional<MotionRequest::Arm> FromMessage(const arm_posture_t& message,
+                                              const PartTable& parts,
+                                              const CellLayout& layout) {
+  const ArmLayout* arm = layout.FindArm(message.arm);
+  if (arm == nullptr || arm->hand.FindGrip(message.grip) == nullptr ||
+      !IsLength(message.opening)) {
+    return std::nullopt;
+  }
+  const auto q = JointsOf(message.position, *arm->model);
+  const auto X_GO = PoseFromMessage(message.pose_gripper_held);
+  if (!q || !X_GO) return std::nullopt;
+  MotionRequest::Arm known{{*q, message.grip, message.opening}, std::nullopt};
+  if (message.held.empty()) return known;
+  const Part* part = parts.Find(message.held);
+  if (part == nullptr || part->is_fixed) return std::nullopt;
+  known.held = ArmScene::Held{message.held, *X_GO};
+  return known;
+}
+
+bool ReadScene(const motion_request_t& message, const PartTable& parts,
+               const CellLayout& layout, MotionRequest* request) {
+  if (message.arms.size() > layout.arms.size() ||
+      message.parts.size() > parts.parts().size()) {
+    return false;
+  }
+  for (const arm_posture_t& entry : message.arms) {
+    auto arm = FromMessage(entry, parts, layout);
+    if (!arm || !request->arms.emplace(entry.arm, *std::move(arm)).second) {
+      return false;
+    }
+  }
+  for (const body_pose_t& entry : message.parts) {
+    const auto X_WO = PoseFromMessage(entry.pose_world_body);
+    if (!X_WO || parts.Find(entry.name) == nullptr ||
+        !request->parts.emplace(entry.name, *X_WO).second) {
+      return false;
+    }
+  }
+  return request->arms.contains(request->arm);
+}
+
+/// What its kind needs is there.
+bool IsWhole(const MotionRequest& request, const PartTable& parts) {
+  using Kind = MotionRequest::Kind;
+  const bool is_held = request.arms.at(request.arm).held.has_value();
+  const auto can_be_taken = [&](const std::string& name) {
+    const Part* part = parts.Find(name);
+    return part != nullptr && !part->is_fixed && request.parts.contains(name);
+  };
+  switch (request.kind) {
+    case Kind::kGrasp:
+      return can_be_taken(request.part);
+    case Kind::kReach:
+      return request.wanted.size() <= parts.parts().size() &&
+             std::ranges::all_of(request.wanted, can_be_taken);
+    case Kind::kPlace:
+      return is_held && request.target;
+    case Kind::kSetDown:
+      return is_held && !request.area.isEmpty();
+    case Kind::kWay:
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+motion_request_t ToMessage(const MotionRequest& request) {
+  motion_request_t message{};
+  message.id = request.id;
+  message.arm = request.arm;
+  message.kind = static_cast<int8_t>(request.kind);
+  for (const auto& [name, arm] : request.arms) {
+    message.arms.push_back(ToMessage(name, arm));
+  }
+  message.num_arms = static_cast<int32_t>(message.arms.size());
+  for (const auto& [name, X_WO] : request.parts) {
+    message.parts.push_back({name, PoseToMessage(X_WO)});
+  }
+  message.num_parts = static_cast<int32_t>(message.parts.size());
+  message.part = request.part;
+  message.wanted = request.wanted;
+  message.num_wanted = static_cast<int32_t>(message.wanted.size());
+  if (request.target) message.targets.push_back(ToMessage(*request.target));
+  message.num_targets = static_cast<int32_t>(message.targets.size());
+  std::copy_n(request.area.min().data(), 2, message.area_min);
+  std::copy_n(request.area.max().data(), 2, message.area_max);
+  message.is_for_other_arm = request.is_for_other_arm;
+  ToMessage(request.goal, &message.num_joints, &message.goal);
+  return message;
+}
+
+std::optional<MotionRequest> FromMessage(const motion_request_t& message,
+                                         const PartTable& parts,
+                                         const CellLayout& layout) {
+  const ArmLayout* arm = layout.FindArm(message.arm);
+  if (arm == nullptr || message.kind < motion_request_t::GRASP ||
+      message.kind > motion_request_t::REACH || message.targets.size() > 1) {
+    return std::nullopt;
+  }
+  MotionRequest request;
+  request.id = message.id;
+  request.arm = message.arm;
+  request.kind = static_cast<MotionRequest::Kind>(message.kind);
+  request.part = message.part;
+  request.wanted = message.wanted;
+  request.is_for_other_arm = message.is_for_other_arm;
+  request.area = {Vector2d(message.area_min), Vector2d(message.area_max)};
+  const auto goal = JointsOf(message.goal, *arm->model);
+  if (!goal || !(request.area.min().cwiseAbs().maxCoeff() <= kMaxLength) ||
+      !(request.area.max().cwiseAbs().maxCoeff() <= kMaxLength)) {
+    return std::nullopt;
+  }
+  request.goal = *goal;
+  if (!message.targets.empty()) {
+    request.target = FromMessage(message.targets.front());
+    if (!request.target) return std::nullopt;
+  }
+  if (!ReadScene(message, parts, layout, &request)) return std::nullopt;
+  if (!IsWhole(request, parts)) return std::nullopt;
+  return request;
+}
+
+motion_plan_t ToMessage(const MotionPlan& plan, int64_t utime) {
+  motion_plan_t message{};
+  message.header.utime = utime;
+  message.id = plan.id;
+  message.arm = plan.arm;
+  message.is_found = bool(plan);
+  message.reason = plan.reason;
+  for (const Joints& q : plan.waypoints) {
+    waypoint_t& waypoint = message.waypoints.emplace_back();
+    ToMessage(q, &waypoint.num_joints, &waypoint.position);
+  }
+  message.num_waypoints = static_cast<int32_t>(message.waypoints.size());
+  message.reachable = plan.reachable;
+  message.num_reachable = static_cast<int32_t>(message.reachable.size());
+  message.grip = plan.grasp.grip;
+  message.opening = plan.grasp.opening;
+  message.width = plan.grasp.width;
+  message.pose_object_gripper = PoseToMessage(plan.grasp.X_OG);
+  message.target = ToMessage(plan.target);
+  message.pose_world_object = PoseToMessage(plan.X_WO);
+  return message;
+}
+
+std::optional<MotionPlan> FromMessage(const motion_plan_t& message,
+                                      const CellLayout& layout) {
+  const ArmLayout* arm = layout.FindArm(message.arm);
+  if (arm == nullptr || message.is_found != message.reason.empty() ||
+      message.waypoints.size() > kMaxWaypoints || !IsLength(message.opening) ||
+      !IsLength(message.width) ||
+      (!message.grip.empty() && arm->hand.FindGrip(message.grip) == nullptr)) {
+    return std::nullopt;
+  }
+  const auto X_OG = PoseFromMessage(message.pose_object_gripper);
+  const auto target = FromMessage(message.target);
+  const auto X_WO = PoseFromMessage(message.pose_world_object);
+  if (!X_OG || !target || !X_WO) return std::nullopt;
+  MotionPlan plan;
+  plan.id = message.id;
+  plan.arm = message.arm;
+  plan.reason = message.reason;
+  for (const waypoint_t& waypoint : message.waypoints) {
+    const auto q = JointsOf(waypoint.position, *arm->model);
+    if (!q) return std::nullopt;
+    plan.waypoints.push_back(*q);
+  }
+  plan.reachable = message.reachable;
+  plan.grasp.grip = message.grip;
+  plan.grasp.opening = message.opening;
+  plan.grasp.width = message.width;
+  plan.grasp.X_OG = *X_OG;
+  if (!plan.waypoints.empty()) plan.grasp.q_approach = plan.waypoints.back();
+  plan.target = *target;
+  plan.X_WO = *X_WO;
+  return plan;
+}
+
+}  // namespace cell
