@@ -170,8 +170,11 @@ std::optional<MotionRequest> FromMessage(const motion_request_t& message,
   request.is_for_other_arm = message.is_for_other_arm;
   request.area = {Vector2d(message.area_min), Vector2d(message.area_max)};
   const auto goal = JointsOf(message.goal, *arm->model);
-  if (!goal || !(request.area.min().cwiseAbs().maxCoeff() <= kMaxLength) ||
-      !(request.area.max().cwiseAbs().maxCoeff() <= kMaxLength)) {
+  const auto is_near = [](double value) {
+    return std::abs(value) <= kMaxLength;
+  };
+  if (!goal || !std::ranges::all_of(message.area_min, is_near) ||
+      !std::ranges::all_of(message.area_max, is_near)) {
     return std::nullopt;
   }
   request.goal = *goal;

@@ -20,8 +20,8 @@ bool MotionPlanner::OnRequest(const motion_request_t& message) {
       FromMessage(message, search_.params().parts, search_.params().layout);
   if (!request) return false;
   const bool is_reach = request->kind == MotionRequest::Kind::kReach;
-  waiting_[{request->arm, is_reach}] = {message.header.utime,
-                                        *std::move(request)};
+  const std::pair slot(request->arm, is_reach);
+  waiting_[slot] = {message.header.utime, *std::move(request)};
   return true;
 }
 

@@ -33,6 +33,7 @@
 #include "cell/tick_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/types_digest.h"
+#include "common/arms/motion_messages.h"
 #include "common/bus/bus_error.h"
 #include "common/bus/clock.h"
 #include "common/bus/decode.h"
@@ -66,6 +67,23 @@ Roster TheRoster() {
   return Roster::FromConfig(Config::Load(kDeploy / "config" / "roster.yaml"));
 }
 
+// A short way of the right arm in an empty cell, and the answer.
+void AskForMotions(std::map<std::string, std::vector<Bytes>>& samples) {
+  const CellLayout layout =
+      CellLayout::FromConfig(kDeployment.OfTask("cell.yaml"));
+  MotionRequest request;
+  request.arm = "right";
+  for (const ArmLayout& arm : layout.arms) {
+    request.arms[arm.name].posture = HomePosture(arm);
+  }
+  request.goal = layout.FindArm("right")->home;
+  MotionPlan plan;
+  plan.arm = "right";
+  plan.waypoints = {request.goal, request.goal};
+  samples["MOTION_REQUEST"] = {Bus::Encode(ToMessage(request))};
+  samples["MOTION_PLAN"] = {Bus::Encode(ToMessage(plan, 0))};
+}
+
 // What arms say, and what is said to them.
 void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   arm_report_t report{};
@@ -88,6 +106,7 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   request.part = "shaft";
   request.site = "base.shaft";
   samples["SKILL_REQUEST"] = {Bus::Encode(request)};
+  AskForMotions(samples);
   execution_t execution{};
   execution.text = "please do it";
   execution.needed.resize(1);
@@ -272,7 +291,8 @@ class Targets {
       auto service = factory(*stepper);
       if (stepper->Wants(channel)) {
         services_.push_back({std::move(stepper), std::move(service)});
-        has_world_ |= name == roster.entries[0].name;
+        is_costly_ |= name == roster.entries[0].name ||
+                      (name == "motion_planner" && channel == "MOTION_REQUEST");
       }
     }
     if (channel.starts_with("ARM_") || channel == "SKILL_RESULT") BeginRobot();
@@ -282,8 +302,8 @@ class Targets {
     const auto message = MessageFromWire(channel_, bytes);
     if (!message) return;  // too short for a header: the bus drops it
     waiting_.push_back(*message);
-    // What reaches the world costs a tick of its physics.
-    const size_t batch = has_world_ ? 200 : 1;
+    // What reaches the world costs a tick of its physics; a request, a search.
+    const size_t batch = is_costly_ ? 200 : 1;
     if (waiting_.size() < batch) return;
     ++tick_;
     for (auto& [stepper, service] : services_) {
@@ -318,7 +338,7 @@ class Targets {
   }
 
   std::string channel_;
-  bool has_world_ = false;
+  bool is_costly_ = false;
   std::vector<std::pair<std::unique_ptr<Stepper>, std::unique_ptr<Service>>>
       services_;
   std::vector<Message> waiting_;
@@ -360,11 +380,12 @@ INSTANTIATE_TEST_SUITE_P(
                     "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
                     "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
                     "ANSWER", "STATUS", "COMMAND_GOAL", "COMMAND_MODE",
-                    "MOTION_PERMIT", "MODE", "SENSE_REQUEST", "SKILL_REQUEST",
-                    "SKILL_RESULT", "EXECUTION", "ARM_REPORT_LEFT",
-                    "ARM_REPORT_RIGHT", "ARM_STATE_LEFT", "ARM_STATE_RIGHT",
-                    "WRENCH_RIGHT", "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
-                    "FRAME_1", "LIBRARY_REQUEST", "STORE_REQUEST"),
+                    "MOTION_PERMIT", "MOTION_PLAN", "MOTION_REQUEST", "MODE",
+                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
+                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
+                    "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
+                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
+                    "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

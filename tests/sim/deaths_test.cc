@@ -164,8 +164,7 @@ INSTANTIATE_TEST_SUITE_P(EveryService, DeathsOf,
                          testing::Values("tracker", "sec_builder", "recognizer",
                                          "predicate_estimator", "planner",
                                          "robot_arm@left", "robot_arm@right",
-                                         "motion_planner",
-                                         "supervisor"),
+                                         "motion_planner", "supervisor"),
                          [](const auto& param) {
                            std::string name = param.param;
                            std::replace(name.begin(), name.end(), '@', '_');

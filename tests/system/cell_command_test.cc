@@ -243,7 +243,8 @@ TEST_F(CellCommand, AnOperatorIsAnsweredByARunningCell) {
   std::ofstream(dir_ / "run.sh")
       << "ip link set lo up && ip route add 224.0.0.0/4 dev lo\n"
          "for s in tracker sec_builder recognizer predicate_estimator planner "
-         "supervisor recorder library motion_planner 'robot_arm --instance left' "
+         "supervisor recorder library motion_planner 'robot_arm --instance "
+         "left' "
          "'robot_arm --instance right'; do "
       << bin << "/$s --run-dir . & done\n"
       << bin << "/vtb --pace realtime --giveup 60 & clock=$!\n"

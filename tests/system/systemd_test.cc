@@ -101,8 +101,7 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
   for (const std::string service :
        {"tracker", "sec_builder", "recognizer", "predicate_estimator",
         "planner", "supervisor", "robot_arm@left", "robot_arm@right", "library",
-        "motion_planner",
-        "recorder"}) {
+        "motion_planner", "recorder"}) {
     EXPECT_GE(LinesWith(told, service + " has started again"), 1) << service;
     EXPECT_THAT(TextOf(dir_ / "top.txt"), HasSubstr(service));
   }

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "services/robot_arm/arm_planner.h"
+#include "services/motion_planner/motion_search.h"
+#include "services/robot_arm/skill_settings.h"
 #include "services/vtb/script.h"
 #include "services/vtb/within_reach.h"
 #include "tests/unit/stage_testing.h"
@@ -57,46 +58,50 @@ class ReachableParts : public testing::TestWithParam<std::string> {
     }
     return poses;
   }
-  ArmPlanner PlannerOf(const ArmLayout& arm, const Poses& poses) const {
-    ArmPlanner planner({arm.name, task_.layout, task_.parts, settings_});
-    planner.SetParts(poses);
-    for (size_t i = 0; i < poses.size(); ++i) planner.RefreshReachable();
-    return planner;
+  MotionRequest Request(MotionRequest::Kind kind, const ArmLayout& arm,
+                        const Poses& poses, const ArmPosture& posture) const {
+    MotionRequest request;
+    request.kind = kind;
+    request.arm = arm.name;
+    request.arms[arm.name].posture = posture;
+    request.parts = poses;
+    request.part = part_;
+    request.wanted = {part_};
+    return request;
   }
-  bool IsReported(const ArmPlanner& planner) const {
-    return std::ranges::count(planner.Reachable(), part_) > 0;
+  bool IsReported(const ArmLayout& arm, const Poses& poses) const {
+    return !search_
+                .Find(Request(MotionRequest::Kind::kReach, arm, poses,
+                              HomePosture(arm)))
+                .reachable.empty();
   }
   // Why the arm cannot do with the part what it is for, from home to the end of
   // the way; empty if it can.
-  std::string WhyNot(ArmPlanner& planner, const ArmLayout& arm,
-                     const Poses& poses) const {
+  std::string WhyNot(const ArmLayout& arm, const Poses& poses) const {
+    using Kind = MotionRequest::Kind;
     const Site& site = *task_.parts.FindSite(kSites.at(part_));
     std::optional<PlaceTarget> target;
     if (arm.X_FS) target = TargetAt(site, poses.at(site.host));
     if (target && task_.parts.FindThread(site.type)) {
       target->turn = -settings_.turning.max_angle;
     }
-    const auto pick = planner.PlanPick(part_, target, arm.home);
-    if (const auto* why = std::get_if<std::string>(&pick)) return *why;
-    const auto& grasp = std::get<GraspChoice>(pick);
-    const auto way = planner.PlanTransit(arm.home, grasp.q_approach,
-                                         grasp.opening, grasp.grip);
-    if (const auto* why = std::get_if<std::string>(&way)) return *why;
-    planner.SetHeld(
-        HeldPart{part_, grasp.X_OG.inverse(), grasp.grip, grasp.width});
-    if (!target) {
-      const auto free = planner.FindFreePlace(
-          arm.exchange, ArmPlanner::Taker::kOtherArm, grasp.q_approach);
-      if (const auto* why = std::get_if<std::string>(&free)) return *why;
-      target = std::get<PlaceTarget>(free);
-    }
-    const auto place = planner.PlanPlace(*target, grasp.q_approach);
-    if (const auto* why = std::get_if<std::string>(&place)) return *why;
-    return "";
+    MotionRequest take = Request(Kind::kGrasp, arm, poses, HomePosture(arm));
+    take.target = target;
+    const MotionPlan pick = search_.Find(take);
+    if (!pick) return pick.reason;
+    const GraspChoice& grasp = pick.grasp;
+    MotionRequest put =
+        Request(target ? Kind::kPlace : Kind::kSetDown, arm, poses,
+                {grasp.q_approach, grasp.grip, grasp.width});
+    put.arms[arm.name].held = ArmScene::Held{part_, grasp.X_OG.inverse()};
+    put.target = target;
+    put.area = arm.exchange;
+    put.is_for_other_arm = true;
+    return search_.Find(put).reason;
   }
   bool IsAnyReported(const Poses& poses) const {
     return std::ranges::any_of(task_.layout.arms, [&](const ArmLayout& arm) {
-      return IsReported(PlannerOf(arm, poses));
+      return IsReported(arm, poses);
     });
   }
 
@@ -104,6 +109,8 @@ class ReachableParts : public testing::TestWithParam<std::string> {
   ShippedTask task_;
   SkillSettings settings_ = SkillSettings::FromConfig(
       ShippedDeployment().OfTask("skills.yaml"), task_.parts);
+  motion_planner::MotionSearch search_{
+      {task_.layout, task_.parts, settings_.motion, settings_.fingers}};
   PartShape shape_{*task_.parts.Find(part_)};
   std::mt19937_64 random_{42};
 };
@@ -113,9 +120,8 @@ TEST_P(ReachableParts, AreReportedJustWhenThereIsAWayToTheEnd) {
     const Poses poses =
         With(At(Between(-0.43, 0.53), Between(-0.67, -0.13), Yaw()));
     for (const ArmLayout& arm : task_.layout.arms) {
-      ArmPlanner planner = PlannerOf(arm, poses);
-      const bool is_reported = IsReported(planner);
-      const std::string why = WhyNot(planner, arm, poses);
+      const bool is_reported = IsReported(arm, poses);
+      const std::string why = WhyNot(arm, poses);
       EXPECT_EQ(is_reported, why.empty())
           << i << ", " << arm.name << " arm, at "
           << poses.at(part_).translation().transpose() << ": " << why;
