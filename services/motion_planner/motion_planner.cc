@@ -1,6 +1,6 @@
 #include "services/motion_planner/motion_planner.h"
 
-#include "cell/episode_t.hpp"
+#include "cell/operating_mode_t.hpp"
 #include "common/arms/motion_messages.h"
 
 namespace cell::motion_planner {
@@ -10,8 +10,8 @@ MotionPlanner::MotionPlanner(Bus& bus, MotionSearch::Params params)
   bus.Subscribe<motion_request_t>(
       "MOTION_REQUEST", [this](const auto& m) { return OnRequest(m); });
   // Wakes it now and then, so that its STATUS tells that it lives.
-  bus.Subscribe<episode_t>(
-      "EPISODE", [](const episode_t&) {}, 1);
+  bus.Subscribe<operating_mode_t>(
+      "MODE", [](const operating_mode_t&) {}, 1);
   bus.Every(1, 0, [this] { Answer(); });
 }
 
