@@ -25,7 +25,8 @@ constexpr char kHolds[] = "the cell holds";
 ArmWorker::ArmWorker(const Params& params)
     : params_(params),
       kinematics_(*params_.layout.FindArm(params_.arm)),
-      sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
+      sensor_(kinematics_, *params_.layout.FindArm(params_.arm),
+              params_.settings.force_sensor),
       planner_(params_),
       // Who inserts goes first.
       way_of_others_(params_.layout.FindArm(params_.arm)->X_FS.has_value()),

@@ -12,10 +12,10 @@
 
 #include "services/robot_arm/arm_planner.h"
 #include "services/robot_arm/arm_reading.h"
+#include "services/robot_arm/contact/site_frames.h"
 #include "services/robot_arm/contact_sensor.h"
 #include "services/robot_arm/motions.h"
 #include "services/robot_arm/right_of_way.h"
-#include "services/robot_arm/seating.h"
 #include "services/robot_arm/skill.h"
 #include "services/robot_arm/skill_stage.h"
 #include "services/robot_arm/tool_kinematics.h"
@@ -115,7 +115,7 @@ class ArmWorker {
   Todo::Made LineBy(const Eigen::Vector3d& way_W);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceTarget> TargetAtSite() const;
-  SeatingFrames FramesAtSite() const;
+  SiteFrames FramesAtSite() const;
   const Site* SiteOfHeld() const;
 
   void ForgetHeld();

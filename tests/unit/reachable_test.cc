@@ -74,7 +74,7 @@ class ReachableParts : public testing::TestWithParam<std::string> {
     std::optional<PlaceTarget> target;
     if (arm.X_FS) target = TargetAt(site, poses.at(site.host));
     if (target && task_.parts.FindThread(site.type)) {
-      target->turn = -settings_.turning.max_angle;
+      target->turn = -settings_.screwing.tight.max_angle;
     }
     const auto pick = planner.PlanPick(part_, target, arm.home);
     if (const auto* why = std::get_if<std::string>(&pick)) return *why;
