@@ -75,6 +75,7 @@ void ReadSearch(const Section& search, SpiralSearch::Params* p) {
   search.Read("radius_mm", kMm, 0, 20, &p->radius);
   search.Read("found_mm", kMm, 0.01, 10, &p->found);
   search.Read("max_spirals", 0, 100, &p->max_spirals);
+  search.CheckOrder("pitch_mm", p->pitch, "radius_mm", p->radius);
 }
 
 void ReadDither(const Section& dither, Dither::Params* p) {
@@ -86,7 +87,7 @@ void ReadDither(const Section& dither, Dither::Params* p) {
 }
 
 void ReadStall(const Section& stall, StallDetector::Params* p) {
-  stall.Read("push_share", 1, 0, 1, &p->push_share);
+  stall.Read("push_share", 1, 0.05, 1, &p->push_share);
   stall.Read("move_mm", kMm, 0.01, 10, &p->move);
   stall.Read("time_s", 1, 0.01, 10, &p->time);
 }

@@ -11,7 +11,7 @@ namespace cell::robot_arm {
 class StraightFeed : public MotionReference {
  public:
   struct Params {
-    double push = 15;            ///< [N] along -z: a peg overcomes its friction
+    double push = 15;            ///< [N] along -z: beyond the friction of a fit
     double free_feed = 0.06;     ///< [m/s] where nothing is expected
     double touch_feed = 0.012;   ///< [m/s] where contact is: a soft first peak
     double touch_height = 0.04;  ///< [m] from the seat: contact from here on
