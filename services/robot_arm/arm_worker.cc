@@ -25,7 +25,8 @@ constexpr char kHolds[] = "the cell holds";
 ArmWorker::ArmWorker(const Params& params)
     : params_(params),
       kinematics_(*params_.layout.FindArm(params_.arm)),
-      sensor_(kinematics_, *params_.layout.FindArm(params_.arm)),
+      sensor_(kinematics_, *params_.layout.FindArm(params_.arm),
+              params_.settings.force_sensor),
       monitor_({params.arm, params.layout, params.parts,
                 params.settings.motion.clearance}),
       reachable_(params_.parts, monitor_, client_),

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "services/robot_arm/arm_reading.h"
+#include "services/robot_arm/contact/site_frames.h"
 #include "services/robot_arm/contact_sensor.h"
 #include "services/robot_arm/motion_client.h"
 #include "services/robot_arm/motions.h"
@@ -18,7 +19,6 @@
 #include "services/robot_arm/reachable_parts.h"
 #include "services/robot_arm/right_of_way.h"
 #include "services/robot_arm/scene_monitor.h"
-#include "services/robot_arm/seating.h"
 #include "services/robot_arm/skill.h"
 #include "services/robot_arm/skill_settings.h"
 #include "services/robot_arm/skill_stage.h"
@@ -137,7 +137,7 @@ class ArmWorker {
   Todo::Made LineBy(const Eigen::Vector3d& way_W);
   Todo::Made Fingers(double opening, Until until);
   OrReason<PlaceTarget> TargetAtSite() const;
-  SeatingFrames FramesAtSite() const;
+  SiteFrames FramesAtSite() const;
   const Site* SiteOfHeld() const;
 
   void ForgetHeld();

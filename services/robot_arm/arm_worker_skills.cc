@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "services/robot_arm/arm_worker.h"
+#include "services/robot_arm/contact/contact_stage.h"
+#include "services/robot_arm/contact/insertion.h"
+#include "services/robot_arm/contact/screwing.h"
 #include "services/robot_arm/fastening.h"
 
 namespace cell::robot_arm {
@@ -16,8 +18,7 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kPatience = 15;     // [s] with people's hands
-constexpr double kTurnMargin = 0.5;  // [rad] that a thread may be tight early
+constexpr double kPatience = 15;  // [s] with people's hands
 
 }  // namespace
 
@@ -54,16 +55,15 @@ void ArmWorker::PlanInsert() {
     return std::make_unique<Tare>(sensor_);
   });
   Add("seat", [this, type = site.type]() -> Todo::Made {
-    return std::make_unique<Insert>(
-        kinematics_, FramesAtSite(),
-        params_.settings.seatings.at(type).insertion, sensor_, &peak_force_);
+    return std::make_unique<ContactStage>(
+        kinematics_, sensor_, FramesAtSite(),
+        InsertionMaker(params_.settings.insertions.at(type)), &peak_force_);
   });
   if (thread != nullptr) {
     Add("turn", [this, pitch = thread->pitch]() -> Todo::Made {
-      Turning::Params params = params_.settings.turning;
-      params.pitch = pitch;
-      return std::make_unique<Turn>(kinematics_, FramesAtSite(), params,
-                                    sensor_);
+      return std::make_unique<ContactStage>(
+          kinematics_, sensor_, FramesAtSite(),
+          ScrewingMaker(params_.settings.screwing, pitch), &peak_force_);
     });
   }
   PlanLetGo();
@@ -84,12 +84,11 @@ void ArmWorker::PlanTurnOn(const Thread& thread) {
     const Eigen::Matrix3d& R = X_SO.linear();
     const double yaw = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
     place_.X_WO = target_.X_WO * Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
-    Turning::Params params = params_.settings.turning;
-    params.pitch = pitch;
-    const double left =
-        2 * std::numbers::pi * X_SO.translation().z() / pitch - kTurnMargin;
-    params.min_angle = std::clamp(left, 0.0, params.min_angle);
-    return std::make_unique<Turn>(kinematics_, FramesAtSite(), params, sensor_);
+    const ScrewingParams params =
+        params_.settings.screwing.GoingOnAt(X_SO.translation().z(), pitch);
+    return std::make_unique<ContactStage>(kinematics_, sensor_, FramesAtSite(),
+                                          ScrewingMaker(params, pitch),
+                                          &peak_force_);
   });
   PlanLetGo();
 }
@@ -309,16 +308,16 @@ OrReason<PlaceTarget> ArmWorker::TargetAtSite() const {
   if (host == monitor_.poses().end())
     return "nobody knows where " + site.host + " is";
   PlaceTarget target = TargetAt(site, host->second);
-  const Eigen::Vector2d& aim = params_.settings.seatings.at(site.type).aim;
+  const Eigen::Vector2d& aim = params_.settings.insertions.at(site.type).aim;
   target.X_WO = target.X_WO * params_.settings.aim_error.Of(request_->id) *
                 Translation3d(aim.x(), aim.y(), 0);
   if (params_.parts.FindThread(site.type) != nullptr) {
-    target.turn = -params_.settings.turning.max_angle;
+    target.turn = -params_.settings.screwing.tight.max_angle;
   }
   return target;
 }
 
-SeatingFrames ArmWorker::FramesAtSite() const {
+SiteFrames ArmWorker::FramesAtSite() const {
   return {target_.X_WO, held_->X_GO, target_.X_WO.inverse() * place_.X_WO};
 }
 

@@ -9,13 +9,12 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 const Vector3d kGravity_W(0, 0, -9.81);  // [m/s^2]
-constexpr double kCutoff = 12;           // [Hz] of the smoothing
 
 }  // namespace
 
 ContactSensor::ContactSensor(const ToolKinematics& kinematics,
-                             const ArmLayout& layout)
-    : kinematics_(kinematics), X_FG_(layout.X_FG) {
+                             const ArmLayout& layout, const Params& params)
+    : kinematics_(kinematics), params_(params), X_FG_(layout.X_FG) {
   bodies_[0].mass = layout.tool_mass;
   bodies_[0].p_F = layout.p_F_tool;
 }
@@ -47,7 +46,8 @@ void ContactSensor::Update(const ArmReading& reading, double dt) {
     weightless_->torque -= (X_WS_.inverse() * p_W).cross(force);
   }
   if (!weightless_) return;
-  const double share = 1 / (1 + 1 / (2 * std::numbers::pi * kCutoff * dt));
+  const double share =
+      1 / (1 + 1 / (2 * std::numbers::pi * params_.cutoff * dt));
   if (!smooth_) smooth_ = weightless_;
   smooth_->force += share * (weightless_->force - smooth_->force);
   smooth_->torque += share * (weightless_->torque - smooth_->torque);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "services/robot_arm/arm_reading.h"
-#include "services/robot_arm/insertion.h"
+#include "services/robot_arm/contact/contact_wrench.h"
 #include "services/robot_arm/tool_kinematics.h"
 
 namespace cell::robot_arm {
@@ -15,8 +15,14 @@ namespace cell::robot_arm {
 /// control, would shake the arm.
 class ContactSensor {
  public:
+  struct Params {
+    double cutoff = 12;      ///< [Hz] of the smoothing: half the servos' own
+    double patience = 0.05;  ///< [s] without a reading, of a motion in contact
+  };
+
   /// `kinematics` must outlive this object.
-  ContactSensor(const ToolKinematics& kinematics, const ArmLayout& layout);
+  ContactSensor(const ToolKinematics& kinematics, const ArmLayout& layout,
+                const Params& params);
 
   /// A part of `mass` [kg] is held with its centre of mass at p_G.
   void Load(double mass, const Eigen::Vector3d& p_G);
@@ -31,6 +37,8 @@ class ContactSensor {
   }
   /// With nothing touching the part, the mean of weightless() is this.
   void SetOffset(const ArmReading::SensedWrench& offset) { offset_ = offset; }
+
+  const Params& params() const { return params_; }
 
   /// On the part, about the point p_W, in axes that R_WA turns into W's.
   /// @pre weightless().
@@ -47,6 +55,7 @@ class ContactSensor {
   Eigen::Vector3d ForceOn(Body& body, const Eigen::Vector3d& p_W, double dt);
 
   const ToolKinematics& kinematics_;
+  Params params_;
   Eigen::Isometry3d X_FG_;
   Body bodies_[2];  // tool and part
   Eigen::Isometry3d X_WS_ = Eigen::Isometry3d::Identity();

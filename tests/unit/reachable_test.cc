@@ -83,7 +83,7 @@ class ReachableParts : public testing::TestWithParam<std::string> {
     std::optional<PlaceTarget> target;
     if (arm.X_FS) target = TargetAt(site, poses.at(site.host));
     if (target && task_.parts.FindThread(site.type)) {
-      target->turn = -settings_.turning.max_angle;
+      target->turn = -settings_.screwing.tight.max_angle;
     }
     MotionRequest take = Request(Kind::kGrasp, arm, poses, HomePosture(arm));
     take.target = target;

@@ -94,8 +94,10 @@ std::map<std::string, ServiceFactory> Services(
   SkillSettings settings =
       SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
   settings.aim_error = {kAimOffset, kAimAngle, trial.seed};
-  for (auto& [type, seating] : settings.seatings) {
-    seating.insertion.is_searching = trial.group == kSearch;
+  if (trial.group == kNoSearch) {
+    for (auto& [type, insertion] : settings.insertions) {
+      insertion.contact.search.max_spirals = 0;
+    }
   }
   for (const ArmLayout& arm : task.layout.arms) {
     const RobotArm::Params params{{arm.name, task.layout, task.parts, settings},
