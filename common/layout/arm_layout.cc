@@ -59,6 +59,7 @@ ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
   for (int i = 0; i < 6; ++i) {
     arm.home[i] = home[static_cast<size_t>(i)] * kDegree;
   }
+  arm.precedence = config.Integer("precedence", 1, 100);
   LoadTool(config["tool"], types, &arm);
   const Config workspace = config["workspace"];
   arm.workspace = Eigen::AlignedBox3d(Vector3(workspace, "low"),

@@ -23,7 +23,9 @@ struct ArmLayout {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Joints home = Joints::Zero();
   Eigen::Isometry3d X_FG = Eigen::Isometry3d::Identity();
-  /// Nothing: there is no sensor, and the arm inserts nothing.
+  /// Of arms in each other's way the one with the lowest goes first.
+  int precedence = 1;
+  /// Nothing: there is no sensor.
   std::optional<Eigen::Isometry3d> X_FS;
   double tool_mass = 0;                                ///< [kg] beyond S
   Eigen::Vector3d p_F_tool = Eigen::Vector3d::Zero();  ///< its centre of mass

@@ -49,6 +49,11 @@ CellLayout CellLayout::FromConfig(const Config& config) {
   if (config.Has("arms")) {
     for (const auto& [name, arm] : config["arms"].Entries()) {
       layout.arms.push_back(ArmLayout::FromConfig(name, arm, types));
+      const int precedence = layout.arms.back().precedence;
+      if (std::ranges::count(layout.arms, precedence, &ArmLayout::precedence) >
+          1) {
+        arm["precedence"].Fail("another arm has the same; one must go first");
+      }
     }
     std::ranges::sort(layout.arms, {}, &ArmLayout::name);
   }

@@ -9,14 +9,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kFromHands = 0.25;   // [m] that people's hands are given
 constexpr double kHandMoving = 1e-4;  // [m] of a point between two looks
-constexpr double kAtPeople = 0.05;    // [m] of hands at work
-constexpr double kFromPeople = 0.1;   // [m] of hands at work
-constexpr double kInHand = 0.015;     // [m] nearer than this a hand holds it
 constexpr double kMoving = 1e-4;      // [rad] of a joint in a tick
-constexpr double kFromStill = 0.006;  // [m] that an arm that stands is given
-constexpr double kFromMoving = 0.06;  // [m] that an arm that moves is given
 
 // With a grip that the hand has: its first if it has not this one.
 ArmPosture Posture(const ArmLayout& arm, const ArmPosture& posture) {
@@ -114,11 +108,11 @@ void SceneMonitor::SetOther(const std::string& arm, const ArmPosture& posture,
   Arrange();
 }
 
-bool SceneMonitor::MeetsOther(const ArmPosture& now,
+bool SceneMonitor::WouldCollideWithArm(const ArmPosture& now,
                               const WayAhead& way) const {
   const bool is_moving = std::ranges::any_of(
       others_, [](const auto& other) { return other.second.is_moving; });
-  const double wanted = is_moving ? kFromMoving : kFromStill;
+  const double wanted = is_moving ? params_.distances.moving_arm : params_.distances.standing_arm;
   const auto distance = [&](const ArmPosture& posture) {
     return scene_.DistanceToOthers(arm_.name, posture, wanted);
   };
@@ -149,29 +143,29 @@ void SceneMonitor::SetHands(std::vector<Vector3d> points) {
 }
 
 bool SceneMonitor::IsInHand(const std::string& part) const {
-  return shapes_.at(part).DistanceTo(hands_, poses_.at(part), kInHand) <
-         kInHand;
+  return shapes_.at(part).DistanceTo(hands_, poses_.at(part), params_.distances.in_hand) <
+         params_.distances.in_hand;
 }
 
-bool SceneMonitor::MeetsPerson(const ArmPosture& now,
+bool SceneMonitor::WouldCollideWithPerson(const ArmPosture& now,
                                const WayAhead& way) const {
   if (!is_hand_moving_ && in_hands_.empty()) return false;
   const auto distance = [&](const ArmPosture& posture) {
     return scene_.DistanceTo(hands_, in_hands_, arm_.name, posture,
-                             kFromPeople);
+                             params_.distances.hands_at_work);
   };
   const ArmPosture here = Posture(arm_, now);
   const double before = distance(here);
   const bool stays = std::ranges::any_of(
       way, [](const auto& ahead) { return !ahead.has_value(); });
   // So near it does not even draw back: who knows where the hand goes.
-  if (before < (stays ? kFromPeople : kAtPeople)) return true;
+  if (before < (stays ? params_.distances.hands_at_work : params_.distances.hands_too_near)) return true;
   return ComesNearer(here, way, before, distance);
 }
 
 bool SceneMonitor::IsHandNear(const Vector3d& p_W) const {
   return std::ranges::any_of(hands_.points(), [&](const Vector3d& p) {
-    return (p - p_W).norm() < kFromHands;
+    return (p - p_W).norm() < params_.distances.hands;
   });
 }
 

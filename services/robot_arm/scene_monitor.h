@@ -11,6 +11,7 @@
 #include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
+#include "services/robot_arm/safety_distances.h"
 
 namespace cell::robot_arm {
 
@@ -32,6 +33,7 @@ class SceneMonitor {
     CellLayout layout;
     PartTable parts;
     double clearance = 0.008;  ///< [m] of everything not to be touched
+    SafetyDistances distances = {};
   };
   explicit SceneMonitor(Params params);
   SceneMonitor(const SceneMonitor&) = delete;
@@ -61,10 +63,10 @@ class SceneMonitor {
   using WayAhead = std::vector<std::optional<Joints>>;
   /// True if it comes too near to another arm on its way from `now`; it keeps
   /// farther from one that moves.
-  bool MeetsOther(const ArmPosture& now, const WayAhead& way) const;
+  bool WouldCollideWithArm(const ArmPosture& now, const WayAhead& way) const;
   /// The same with people's hands at work - that move, or hold something - and
   /// what they hold. Also if it stays about where it is.
-  bool MeetsPerson(const ArmPosture& now, const WayAhead& way) const;
+  bool WouldCollideWithPerson(const ArmPosture& now, const WayAhead& way) const;
   /// True if something is nearer than the clearance.
   bool IsNearSomething(const Joints& q) const;
   /// True if a person's hand is nearer to the point than people are given.

@@ -22,6 +22,7 @@ SkillSettings SkillSettings::FromConfig(const Config& config,
   SkillSettings settings;
   settings.motion = MotionSettings::FromConfig(config["motion"]);
   settings.fingers = FingerSettings::FromConfig(config["fingers"]);
+  settings.distances = SafetyDistances::FromConfig(config["distances"]);
   const Config insertion = config["insertion"];
   const InsertionParams common =
       Refined(InsertionParams{}, insertion["default"]);

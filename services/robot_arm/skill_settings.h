@@ -10,6 +10,7 @@
 #include "services/robot_arm/contact/insertion.h"
 #include "services/robot_arm/contact/screwing.h"
 #include "services/robot_arm/contact_sensor.h"
+#include "services/robot_arm/safety_distances.h"
 
 namespace cell::robot_arm {
 
@@ -17,6 +18,7 @@ namespace cell::robot_arm {
 struct SkillSettings {
   MotionSettings motion;
   FingerSettings fingers;
+  SafetyDistances distances;
   std::map<std::string, InsertionParams> insertions;  ///< by type of site
   ScrewingParams screwing;
   ContactSensor::Params force_sensor;

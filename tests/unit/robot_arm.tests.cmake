@@ -3,7 +3,7 @@ cell_add_test(unit/motion_client_test.cc LINK cell_robot_arm cell_motion_planner
 cell_add_test(unit/robot_arm_start_test.cc
   LINK cell_robot_arm cell_bus cell_tracker)
 cell_add_test(unit/aim_error_test.cc LINK cell_robot_arm)
-cell_add_test(unit/right_of_way_test.cc LINK cell_robot_arm)
+cell_add_test(unit/yield_policy_test.cc LINK cell_robot_arm)
 cell_add_test(unit/fastening_test.cc LINK cell_robot_arm cell_bus cell_tracker)
 cell_add_test(unit/reachable_test.cc
   LINK cell_robot_arm cell_motion_planner cell_tracker cell_vtb)

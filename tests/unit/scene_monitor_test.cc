@@ -29,7 +29,7 @@ class SceneMonitoring : public testing::Test {
   ShippedMotions cell_;
   const ArmLayout& left_ = cell_.Arm("left");
   const ArmLayout& arm_ = cell_.Arm("right");
-  SceneMonitor monitor_{{"right", cell_.task.layout, cell_.task.parts, 0.008}};
+  SceneMonitor monitor_{{"right", cell_.task.layout, cell_.task.parts, 0.008, {}}};
 };
 
 TEST_F(SceneMonitoring, APartAtAPersonsFingersIsInHand) {
@@ -51,25 +51,25 @@ TEST_F(SceneMonitoring, PeoplesHandsAtWorkAreInTheWay) {
   };
   at(0.06);
   at(0.07);
-  EXPECT_TRUE(monitor_.MeetsPerson(home, {there.q}));
-  EXPECT_TRUE(monitor_.MeetsPerson(there, {std::nullopt}));
-  EXPECT_FALSE(monitor_.MeetsPerson(home, {std::nullopt}));
+  EXPECT_TRUE(monitor_.WouldCollideWithPerson(home, {there.q}));
+  EXPECT_TRUE(monitor_.WouldCollideWithPerson(there, {std::nullopt}));
+  EXPECT_FALSE(monitor_.WouldCollideWithPerson(home, {std::nullopt}));
   at(0.07);  // it rests
-  EXPECT_FALSE(monitor_.MeetsPerson(home, {there.q}));
+  EXPECT_FALSE(monitor_.WouldCollideWithPerson(home, {there.q}));
   at(0.5);
-  EXPECT_FALSE(monitor_.MeetsPerson(home, {there.q}));
+  EXPECT_FALSE(monitor_.WouldCollideWithPerson(home, {there.q}));
   // A hand that rests, but holds something.
   cell_.poses["shaft"] = Isometry3d(Translation3d(p_WG));
   monitor_.SetParts(cell_.poses);
   at(0.5);
-  EXPECT_FALSE(monitor_.MeetsPerson(home, {there.q}));
+  EXPECT_FALSE(monitor_.WouldCollideWithPerson(home, {there.q}));
   at(0);
   at(0);
-  EXPECT_TRUE(monitor_.MeetsPerson(home, {there.q}));
+  EXPECT_TRUE(monitor_.WouldCollideWithPerson(home, {there.q}));
   // But the arm itself holds it.
   monitor_.SetHeld(HeldPart{"shaft", Isometry3d::Identity(), grasp.grip, 0.01});
   at(0);
-  EXPECT_FALSE(monitor_.MeetsPerson(home, {there.q}));
+  EXPECT_FALSE(monitor_.WouldCollideWithPerson(home, {there.q}));
 }
 
 TEST_F(SceneMonitoring, AtAGraspSomethingIsNear) {
@@ -113,16 +113,16 @@ TEST_F(SceneMonitoring, ItMeetsAnotherArmSoonerIfThatOneMoves) {
   const Joints into = over_table(arm_, 0.10);
   const ArmPosture other{over_table(left_, 0.05), "two_finger_pinch", 0.02};
   monitor_.SetOther("left", other, false);
-  EXPECT_FALSE(monitor_.MeetsOther(now, {ahead}));
-  EXPECT_TRUE(monitor_.MeetsOther(now, {into}));
+  EXPECT_FALSE(monitor_.WouldCollideWithArm(now, {ahead}));
+  EXPECT_TRUE(monitor_.WouldCollideWithArm(now, {into}));
   // Away is always free.
-  EXPECT_FALSE(monitor_.MeetsOther({into, now.grip, now.opening}, {now.q}));
+  EXPECT_FALSE(monitor_.WouldCollideWithArm({into, now.grip, now.opening}, {now.q}));
   ArmPosture moved = other;
   moved.q[5] += 0.01;
   monitor_.SetOther("left", moved, false);
-  EXPECT_TRUE(monitor_.MeetsOther(now, {ahead}));
+  EXPECT_TRUE(monitor_.WouldCollideWithArm(now, {ahead}));
   monitor_.SetOther("left", moved, false);
-  EXPECT_FALSE(monitor_.MeetsOther(now, {ahead}));
+  EXPECT_FALSE(monitor_.WouldCollideWithArm(now, {ahead}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "services/robot_arm/right_of_way.h"
+#include "services/robot_arm/yield_policy.h"
 
 namespace cell::robot_arm {
 namespace {
@@ -10,7 +10,7 @@ constexpr double kFirstPatience = 20, kSecondPatience = 6;  // [s] of waiting
 
 }  // namespace
 
-RightOfWay::Advice RightOfWay::Step(bool is_blocked, double dt) {
+YieldPolicy::Advice YieldPolicy::Step(bool is_blocked, double dt) {
   if (pause_ <= 0 && is_blocked) {
     pause_ = goes_first_ ? kFirstPause : kSecondPause;
   }

@@ -5,7 +5,7 @@ namespace cell::robot_arm {
 /// What an arm does whose way another arm is in. One of the two tries again
 /// later, so that they do not start and stop each other for ever, and gives up
 /// sooner, which makes room for the first. Pure.
-class RightOfWay {
+class YieldPolicy {
  public:
   enum class Advice {
     kGo,
@@ -13,7 +13,7 @@ class RightOfWay {
     kGoAround,  ///< the same, and look for another way
     kGiveUp
   };
-  explicit RightOfWay(bool goes_first) : goes_first_(goes_first) {}
+  explicit YieldPolicy(bool goes_first) : goes_first_(goes_first) {}
 
   /// One tick of `dt` [s]. `is_blocked`: it would meet another arm soon.
   Advice Step(bool is_blocked, double dt);
