@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace cell::planner {
 
 /// What an arm says of itself. Objects are the vocabulary's.
-struct ArmStatus {
+struct ArmState {
   static constexpr int64_t kIdle = -1;
   int arm = 0;
   int64_t utime = 0;        ///< [us]
@@ -22,15 +23,14 @@ struct ArmStatus {
 
 /// The latest reports of all arms of a domain: the arguments of its reported
 /// predicates.
-class Arms {
+class ArmStates {
  public:
-  /// `vocabulary` must outlive this object.
-  explicit Arms(const Vocabulary& vocabulary);
+  explicit ArmStates(std::shared_ptr<const Vocabulary> vocabulary);
 
   const std::vector<int>& arms() const { return arms_; }
-  void Take(const ArmStatus& report);
-  /// Nothing until it has reported.
-  const ArmStatus* Of(int arm) const;
+  void Update(const ArmState& report);
+  /// Nullptr until it has reported.
+  const ArmState* Of(int arm) const;
   /// Every arm has reported at this time or later.
   bool HaveReportedSince(int64_t utime) const;
   bool AreIdle() const;
@@ -43,13 +43,13 @@ class Arms {
   Truth IsHeld(int part, int arm) const;
   Truth IsReachable(int arm, int part) const;
 
-  const Vocabulary& vocabulary_;
+  std::shared_ptr<const Vocabulary> vocabulary_;
   std::vector<int> arms_;  // ascending
-  std::map<int, ArmStatus> reports_;
+  std::map<int, ArmState> reports_;
 };
 
-/// The state in which no arm holds or reaches anything: for who watches a
-/// person.
+/// The state in which no arm holds or reaches anything, as for a person who is
+/// watched.
 State WithoutArms(State state, const Vocabulary& vocabulary);
 
 }  // namespace cell::planner

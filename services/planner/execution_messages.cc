@@ -1,4 +1,4 @@
-#include "services/planner/executor_messages.h"
+#include "services/planner/execution_messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ bool IsTimeUntil(int64_t utime, int64_t now) {
   return utime >= 0 && utime <= now;
 }
 
-/// The objects of the names; nothing unless all are known and in order.
+/// The objects of the names; nullopt unless all are known and in order.
 std::optional<std::vector<int>> ObjectsOf(const std::vector<std::string>& names,
                                           const Vocabulary& vocabulary) {
   std::vector<int> objects;
@@ -27,53 +27,54 @@ std::optional<std::vector<int>> ObjectsOf(const std::vector<std::string>& names,
   return objects;
 }
 
-std::optional<ArmOutcome::Outcome> OutcomeOf(int8_t code) {
+std::optional<SkillResult::Outcome> OutcomeOf(int8_t code) {
   switch (code) {
     case skill_result_t::SUCCEEDED:
-      return ArmOutcome::Outcome::kSucceeded;
+      return SkillResult::Outcome::kSucceeded;
     case skill_result_t::REFUSED:
-      return ArmOutcome::Outcome::kRefused;
+      return SkillResult::Outcome::kRefused;
     case skill_result_t::FAILED:
-      return ArmOutcome::Outcome::kFailed;
+      return SkillResult::Outcome::kFailed;
     case skill_result_t::STOPPED:
-      return ArmOutcome::Outcome::kStopped;
+      return SkillResult::Outcome::kStopped;
     case skill_result_t::YIELDED:
-      return ArmOutcome::Outcome::kYielded;
+      return SkillResult::Outcome::kYielded;
     default:
       return std::nullopt;
   }
 }
 
-int8_t CodeOf(ArmOrder::Kind kind) {
+int8_t CodeOf(SkillRequest::Kind kind) {
   switch (kind) {
-    case ArmOrder::Kind::kInsert:
+    case SkillRequest::Kind::kInsert:
       return skill_request_t::INSERT;
-    case ArmOrder::Kind::kPresent:
+    case SkillRequest::Kind::kPresent:
       return skill_request_t::PRESENT;
-    case ArmOrder::Kind::kPutDown:
+    case SkillRequest::Kind::kPutDown:
       return skill_request_t::PUT_DOWN;
-    case ArmOrder::Kind::kGoHome:
+    case SkillRequest::Kind::kGoHome:
       return skill_request_t::GO_HOME;
-    case ArmOrder::Kind::kGoFree:
+    case SkillRequest::Kind::kGoFree:
       return skill_request_t::GO_FREE;
   }
   return skill_request_t::GO_HOME;
 }
 
-int8_t CodeOf(Execution::State state) {
+int8_t CodeOf(ExecutionStatus::State state) {
   switch (state) {
-    case Execution::State::kRunning:
+    case ExecutionStatus::State::kRunning:
       return execution_t::RUNNING;
-    case Execution::State::kDone:
+    case ExecutionStatus::State::kDone:
       return execution_t::DONE;
-    case Execution::State::kStuck:
+    case ExecutionStatus::State::kStuck:
       return execution_t::STUCK;
   }
   return execution_t::STUCK;
 }
 
-literal_t ToMessage(const Wish& wish, const Vocabulary& vocabulary) {
-  const GroundAtom atom = vocabulary.Atom(wish.atom);
+literal_t ToMessage(const RequiredChange& change,
+                    const Vocabulary& vocabulary) {
+  const GroundAtom atom = vocabulary.Atom(change.atom);
   literal_t literal{};
   literal.predicate = vocabulary.predicates()[atom.predicate].name;
   for (const int object : atom.objects) {
@@ -81,40 +82,40 @@ literal_t ToMessage(const Wish& wish, const Vocabulary& vocabulary) {
   }
   literal.num_arguments = static_cast<int32_t>(literal.arguments.size());
   literal.value =
-      wish.truth == Truth::kTrue ? literal_t::TRUE_ : literal_t::FALSE_;
+      change.truth == Truth::kTrue ? literal_t::TRUE_ : literal_t::FALSE_;
   return literal;
 }
 
 }  // namespace
 
-std::optional<ArmStatus> FromMessage(const arm_report_t& message,
-                                     const Domain& domain, int64_t now) {
-  const Vocabulary& vocabulary = domain.vocabulary();
+std::optional<ArmState> FromMessage(const arm_report_t& message,
+                                    const Vocabulary& vocabulary, int64_t now) {
   const auto arm = vocabulary.FindObject(message.arm);
   const auto reachable = ObjectsOf(message.reachable, vocabulary);
-  if (!arm || !reachable || message.request < ArmStatus::kIdle ||
+  if (!arm || !reachable || message.request < ArmState::kIdle ||
       !IsTimeUntil(message.header.utime, now)) {
     return std::nullopt;
   }
-  ArmStatus report{*arm, message.header.utime, message.request, std::nullopt,
-                   *reachable};
+  ArmState report{*arm, message.header.utime, message.request, std::nullopt,
+                  *reachable};
   if (message.held.empty()) return report;
   report.held = vocabulary.FindObject(message.held);
   if (!report.held) return std::nullopt;
   return report;
 }
 
-std::optional<ArmOutcome> FromMessage(const skill_result_t& message,
-                                      const Domain& domain, int64_t now) {
-  const auto arm = domain.vocabulary().FindObject(message.arm);
+std::optional<SkillResult> FromMessage(const skill_result_t& message,
+                                       const Vocabulary& vocabulary,
+                                       int64_t now) {
+  const auto arm = vocabulary.FindObject(message.arm);
   const auto outcome = OutcomeOf(message.outcome);
   if (!arm || !outcome || message.id < 0 ||
       !IsTimeUntil(message.header.utime, now) ||
       !std::isfinite(message.peak_force) || message.peak_force < 0) {
     return std::nullopt;
   }
-  return ArmOutcome{message.id, message.header.utime, *arm, *outcome,
-                    message.reason};
+  return SkillResult{message.id, message.header.utime, *arm, *outcome,
+                     message.reason};
 }
 
 std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
@@ -129,8 +130,9 @@ std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
   return message.mode == motion_permit_t::EXECUTE;
 }
 
-skill_request_t ToMessage(const ArmOrder& request, const Domain& domain) {
-  const auto& objects = domain.vocabulary().objects();
+skill_request_t ToMessage(const SkillRequest& request,
+                          const Vocabulary& vocabulary) {
+  const auto& objects = vocabulary.objects();
   skill_request_t message{};
   message.id = request.id;
   message.deadline_utime = request.deadline_utime;
@@ -141,19 +143,18 @@ skill_request_t ToMessage(const ArmOrder& request, const Domain& domain) {
   return message;
 }
 
-execution_t ToMessage(const Execution& execution, const Domain& domain) {
+execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules) {
   execution_t message{};
-  message.state = CodeOf(execution.state);
-  message.action = execution.action;
-  message.text = execution.text;
-  for (const Wish& wish : execution.needed) {
-    message.needed.push_back(ToMessage(wish, domain.vocabulary()));
+  message.state = CodeOf(status.state);
+  message.action = status.action;
+  message.text = status.text;
+  for (const RequiredChange& change : status.needed) {
+    message.needed.push_back(ToMessage(change, rules.vocabulary()));
   }
   message.num_needed = static_cast<int32_t>(message.needed.size());
-  const auto skill =
-      execution.step ? domain.SkillOf(*execution.step) : std::nullopt;
+  const auto skill = status.step ? rules.SkillOf(*status.step) : std::nullopt;
   if (skill && skill->site) {
-    const auto& objects = domain.vocabulary().objects();
+    const auto& objects = rules.vocabulary().objects();
     message.help_part = objects[skill->part].name;
     message.help_site = objects[*skill->site].name;
   }

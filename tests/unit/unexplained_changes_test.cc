@@ -1,4 +1,4 @@
-#include "services/planner/unseen_changes.h"
+#include "services/planner/unexplained_changes.h"
 
 #include <gmock/gmock.h>
 
@@ -15,11 +15,12 @@ using testing::IsEmpty;
 
 constexpr int64_t kSecond = 1'000'000;
 
-class UnseenChangesTest : public testing::Test {
+class UnexplainedChangesTest : public testing::Test {
  protected:
-  UnseenChangesTest()
-      : unseen_(*cranfield_.domain, {.patience_us = 15 * kSecond}) {
-    unseen_.Take({1, 0, before_});
+  UnexplainedChangesTest()
+      : unseen_(cranfield_.rules->shared_vocabulary(),
+                cranfield_.domain->goals(), {.patience_us = 15 * kSecond}) {
+    unseen_.Update({1, 0, before_});
   }
   State AfterFirstStep() const { return cranfield_.Do(before_, FirstStep()); }
   GroundAction FirstStep() const {
@@ -36,37 +37,37 @@ class UnseenChangesTest : public testing::Test {
 
   Cranfield cranfield_;
   State before_ = cranfield_.Start();
-  UnseenChanges unseen_;
+  UnexplainedChanges unseen_;
 };
 
-TEST_F(UnseenChangesTest, ARecognisedActionAccountsForWhatItDid) {
-  unseen_.Take({3, 5 * kSecond, AfterFirstStep()});
-  unseen_.Take(Action(2, 4, 6 * kSecond));
+TEST_F(UnexplainedChangesTest, ARecognisedActionAccountsForWhatItDid) {
+  unseen_.Update({3, 5 * kSecond, AfterFirstStep()});
+  unseen_.Update(Action(2, 4, 6 * kSecond));
   EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
 }
 
-TEST_F(UnseenChangesTest, WhatSettlesAfterwardsBelongsToTheAction) {
-  unseen_.Take(Action(2, 4, 6 * kSecond));
-  unseen_.Take({5, 7 * kSecond, AfterFirstStep()});
+TEST_F(UnexplainedChangesTest, WhatSettlesAfterwardsBelongsToTheAction) {
+  unseen_.Update(Action(2, 4, 6 * kSecond));
+  unseen_.Update({5, 7 * kSecond, AfterFirstStep()});
   EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
 }
 
-TEST_F(UnseenChangesTest, TellsOnceWhatNobodyRecognised) {
-  unseen_.Take({30, 50 * kSecond, AfterFirstStep()});
-  unseen_.Take(Action(2, 4, 6 * kSecond));  // another one
+TEST_F(UnexplainedChangesTest, TellsOnceWhatNobodyRecognised) {
+  unseen_.Update({30, 50 * kSecond, AfterFirstStep()});
+  unseen_.Update(Action(2, 4, 6 * kSecond));  // another one
   EXPECT_THAT(unseen_.TakeOverdue(60 * kSecond), IsEmpty());
   EXPECT_THAT(unseen_.TakeOverdue(70 * kSecond),
               ElementsAre(HasSubstr("at 50.00 s")));
   EXPECT_THAT(unseen_.TakeOverdue(71 * kSecond), IsEmpty());
 }
 
-TEST_F(UnseenChangesTest, WhatIsNotKnownIsNoChange) {
+TEST_F(UnexplainedChangesTest, WhatIsNotKnownIsNoChange) {
   State dark = before_;
   for (int atom = 0; atom < dark.num_atoms(); ++atom) {
     dark.Set(atom, Truth::kUnknown);
   }
-  unseen_.Take({2, kSecond, dark});
-  unseen_.Take({3, 2 * kSecond, before_});
+  unseen_.Update({2, kSecond, dark});
+  unseen_.Update({3, 2 * kSecond, before_});
   EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
 }
 

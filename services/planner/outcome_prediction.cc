@@ -1,16 +1,16 @@
-#include "services/planner/foresight.h"
+#include "services/planner/outcome_prediction.h"
 
 #include <algorithm>
 
 namespace cell::planner {
 
-std::optional<State> LikelyAfter(const Domain& domain,
-                                 const GroundAction& action,
-                                 const State& state) {
-  const Action& lifted = domain.actions()[action.action];
+std::optional<State> MostLikelyOutcome(const RuleSet& rules,
+                                       const GroundAction& action,
+                                       const State& state) {
+  const Action& lifted = rules.ActionOf(action);
   const State known = state.UnknownAsFalse();
   const auto covers = CoversOf(lifted, action.arguments, known,
-                               domain.vocabulary(), Agent::kRobot);
+                               rules.vocabulary(), Agent::kRobot);
   if (covers.size() != 1) return std::nullopt;
   const auto& outcomes = lifted.rules[covers[0].rule].outcomes;
   const auto likeliest = std::max_element(
@@ -18,13 +18,13 @@ std::optional<State> LikelyAfter(const Domain& domain,
         return a.probability < b.probability;
       });
   if (likeliest == outcomes.end()) return std::nullopt;
-  return After(*likeliest, covers[0].binding, known, domain.vocabulary());
+  return After(*likeliest, covers[0].binding, known, rules.vocabulary());
 }
 
-bool IsSurelyPossible(const Domain& domain, const GroundAction& action,
+bool IsSurelyPossible(const RuleSet& rules, const GroundAction& action,
                       const State& state) {
-  const Action& lifted = domain.actions()[action.action];
-  const Vocabulary& vocabulary = domain.vocabulary();
+  const Action& lifted = rules.ActionOf(action);
+  const Vocabulary& vocabulary = rules.vocabulary();
   const auto covers =
       CoversOf(lifted, action.arguments, state, vocabulary, Agent::kRobot);
   return std::any_of(covers.begin(), covers.end(), [&](const Cover& cover) {
@@ -35,12 +35,12 @@ bool IsSurelyPossible(const Domain& domain, const GroundAction& action,
   });
 }
 
-bool DoNotDisturb(const Domain& domain, const GroundAction& a,
-                  const GroundAction& b, const State& state) {
-  const auto after_a = LikelyAfter(domain, a, state);
-  const auto after_b = LikelyAfter(domain, b, state);
-  return after_a && after_b && LikelyAfter(domain, b, *after_a) &&
-         LikelyAfter(domain, a, *after_b);
+bool AreIndependent(const RuleSet& rules, const GroundAction& a,
+                    const GroundAction& b, const State& state) {
+  const auto after_a = MostLikelyOutcome(rules, a, state);
+  const auto after_b = MostLikelyOutcome(rules, b, state);
+  return after_a && after_b && MostLikelyOutcome(rules, b, *after_a) &&
+         MostLikelyOutcome(rules, a, *after_b);
 }
 
 }  // namespace cell::planner

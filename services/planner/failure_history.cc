@@ -1,4 +1,4 @@
-#include "services/planner/attempts.h"
+#include "services/planner/failure_history.h"
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ bool Concerns(const GroundAction& action, int object) {
 
 }  // namespace
 
-void Attempts::Add(const GroundAction& action, const State& before,
-                   const std::string& reason) {
+void FailureHistory::Add(const GroundAction& action, const State& before,
+                         const std::string& reason) {
   const auto [it, is_new] = entries_.try_emplace(action, Entry{before, 0, ""});
   if (!is_new && !IsSame(action, it->second.before, before))
     it->second.count = 0;
@@ -22,19 +22,19 @@ void Attempts::Add(const GroundAction& action, const State& before,
   ++it->second.count;
 }
 
-void Attempts::Update(const State& now) {
+void FailureHistory::Update(const State& now) {
   std::erase_if(entries_, [&](const auto& entry) {
     return !IsSame(entry.first, entry.second.before, now);
   });
 }
 
-void Attempts::ForgetAbout(int object) {
+void FailureHistory::ForgetAbout(int object) {
   std::erase_if(entries_, [&](const auto& entry) {
     return Concerns(entry.first, object);
   });
 }
 
-std::set<GroundAction> Attempts::Blocked() const {
+std::set<GroundAction> FailureHistory::Blocked() const {
   std::set<GroundAction> blocked;
   for (const auto& [action, entry] : entries_) {
     if (entry.count >= max_attempts_) blocked.insert(action);
@@ -42,20 +42,20 @@ std::set<GroundAction> Attempts::Blocked() const {
   return blocked;
 }
 
-const Attempts::Entry* Attempts::Of(const GroundAction& action) const {
+const FailureHistory::Entry* FailureHistory::Of(
+    const GroundAction& action) const {
   const auto it = entries_.find(action);
   return it == entries_.end() ? nullptr : &it->second;
 }
 
-bool Attempts::IsSame(const GroundAction& action, const State& before,
-                      const State& now) const {
-  const Vocabulary& vocabulary = domain_.vocabulary();
+bool FailureHistory::IsSame(const GroundAction& action, const State& before,
+                            const State& now) const {
   for (int index = 0; index < now.num_atoms(); ++index) {
     const Truth a = before.Get(index);
     const Truth b = now.Get(index);
     if (a == b || a == Truth::kUnknown || b == Truth::kUnknown) continue;
-    const GroundAtom atom = vocabulary.Atom(index);
-    const auto& report = vocabulary.predicates()[atom.predicate].report;
+    const GroundAtom atom = vocabulary_->Atom(index);
+    const auto& report = vocabulary_->predicates()[atom.predicate].report;
     if (report == Predicate::Report::kHeld) continue;
     const bool counts =
         !report || std::any_of(atom.objects.begin(), atom.objects.end(),

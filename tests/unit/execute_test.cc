@@ -1,4 +1,4 @@
-#include "services/planner/executor.h"
+#include "services/planner/execute.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "services/planner/plan_search.h"
+#include "tests/unit/bench_domain.h"
+
 namespace cell {
 
 using namespace planner;
@@ -17,57 +20,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-// Two bolts and a lid over them; the right arm inserts, the left passes on.
-constexpr char kBench[] = R"yaml(
-types: {part: object, bolt: part, lid: part, hole: object, arm: object}
-constants: {bolt_1: bolt, bolt_2: bolt, lid: lid, hole_1: hole, hole_2: hole,
-            top: object, left: arm, right: arm}
-predicates:
-  Held: {arguments: [part, arm], reported: held}
-  Reachable: {arguments: [arm, part], reported: reachable}
-  In: {arguments: [bolt, hole]}
-  Closed: {arguments: [lid]}
-actions:
-  Insert:
-    arguments: {X: bolt, Y: hole}
-    skill: {kind: insert, part: X, site: Y, arm: right}
-    robot: &right
-      - {context: ["Held(X, right)"], effects: ["not Held(X, right)"]}
-      - {context: ["Reachable(right, X)", "not Held(_, right)"], effects: []}
-    rules:
-      - context: ["not In(X, _)", "not In(_, Y)", not Closed(_)]
-        outcomes: [{probability: 0.9, effects: ["In(X, Y)"]}]
-        noise: 0.1
-  Close:
-    arguments: {X: lid}
-    skill: {kind: insert, part: X, site: top, arm: right}
-    robot: *right
-    rules:
-      - context: ["In(_, hole_1)", "In(_, hole_2)", not Closed(X)]
-        outcomes: [{probability: 0.9, effects: [Closed(X)]}]
-        noise: 0.1
-  Present:
-    arguments: {X: part}
-    agents: [robot]
-    skill: {kind: present, part: X, arm: left}
-    rules:
-      - context: ["Reachable(left, X)", "not Held(_, left)",
-                  "not Reachable(right, X)"]
-        outcomes: [{probability: 0.9, effects: ["Reachable(right, X)"]}]
-        noise: 0.1
-  PutDown:
-    arguments: {X: part, A: arm}
-    agents: [robot]
-    skill: {kind: put_down, part: X, arm: A}
-    rules:
-      - context: ["Held(X, A)"]
-        outcomes: [{probability: 0.9, effects: ["not Held(X, A)"]}]
-        noise: 0.1
-goals:
-  done: [Closed(lid)]
-  one: ["In(_, hole_1)"]
-)yaml";
 
 constexpr int64_t kStepUs = 96'000;  // an arm reports every 12 ticks
 constexpr int kPatience = 60;        // steps, after which a person is asked
@@ -78,9 +30,9 @@ class Bench : public testing::Test {
   Bench() { Begin("done"); }
 
   void Begin(const std::string& goal) {
-    executor_ = std::make_unique<Executor>(domain_, *domain_.FindGoal(goal),
-                                           params_, now_.utime);
-    executor_->Permit(true);
+    execute_ =
+        std::make_unique<Execute>(bench_.rules, bench_.GoalOf(goal),
+                                  PlanSearch::Maker({}), params_, true, now_);
   }
 
   struct Arm {
@@ -89,22 +41,23 @@ class Bench : public testing::Test {
     std::set<std::string> reachable;
   };
 
-  /// Time passes: arms report, asked predicates are answered, the executor
+  /// Time passes: arms report, asked predicates are answered, the robot
   /// decides.
   void Step(int num_steps = 1) {
     for (int i = 0; i < num_steps; ++i) {
       now_.utime += kStepUs;
       now_.tick += 12;
-      for (const auto& [name, arm] : arms_) executor_->Take(Report(name, arm));
+      for (const auto& [name, arm] : arms_)
+        execute_->OnArmState(Report(name, arm));
       if (is_sensing_) {
-        executor_->Take(SensedState{0, now_.utime, Sensed()});
+        execute_->OnSensed(SensedState{0, now_.utime, Sensed()});
         ++num_sensed_;
       }
       is_sensing_ = false;
-      const Orders orders = executor_->Decide(now_);
+      const Decisions orders = execute_->Decide(now_);
       is_sensing_ = orders.sense;
       if (orders.execution) told_.push_back(*orders.execution);
-      for (const ArmOrder& request : orders.requests) {
+      for (const SkillRequest& request : orders.requests) {
         EXPECT_TRUE(ids_.insert(request.id).second);
         asked_.push_back(Show(request));
         requests_.push_back(request);
@@ -117,12 +70,12 @@ class Bench : public testing::Test {
   }
   /// The skill that the arm does ends.
   void End(const std::string& name,
-           ArmOutcome::Outcome outcome = ArmOutcome::Outcome::kSucceeded,
+           SkillResult::Outcome outcome = SkillResult::Outcome::kSucceeded,
            const std::string& reason = "") {
     Arm& arm = arms_.at(name);
     ASSERT_NE(arm.request, -1);
-    executor_->Take(
-        ArmOutcome{arm.request, now_.utime, Object(name), outcome, reason});
+    execute_->OnSkillResult(
+        SkillResult{arm.request, now_.utime, Object(name), outcome, reason});
     arm.request = -1;
   }
   void Succeed(const std::string& arm, const std::string& becomes_true) {
@@ -130,33 +83,21 @@ class Bench : public testing::Test {
     End(arm);
   }
   void Fail(const std::string& arm, const std::string& reason) {
-    End(arm, ArmOutcome::Outcome::kFailed, reason);
+    End(arm, SkillResult::Outcome::kFailed, reason);
   }
 
-  ArmStatus Report(const std::string& name, const Arm& arm) const {
-    ArmStatus report{Object(name), now_.utime, arm.request, std::nullopt, {}};
+  ArmState Report(const std::string& name, const Arm& arm) const {
+    ArmState report{Object(name), now_.utime, arm.request, std::nullopt, {}};
     if (!arm.held.empty()) report.held = Object(arm.held);
     for (const auto& part : arm.reachable) {
       report.reachable.push_back(Object(part));
     }
     return report;
   }
-  State Sensed() const {
-    State state(domain_.vocabulary().num_atoms());
-    for (int i = 0; i < state.num_atoms(); ++i) {
-      const std::string name = domain_.vocabulary().AtomName(i);
-      if (true_.contains(name)) state.Set(i, Truth::kTrue);
-      if (unknown_.contains(name)) state.Set(i, Truth::kUnknown);
-    }
-    return state;
-  }
-  int Object(const std::string& name) const {
-    return domain_.vocabulary().FindObject(name).value();
-  }
-  std::string Name(int object) const {
-    return domain_.vocabulary().objects()[object].name;
-  }
-  std::string Show(const ArmOrder& request) const {
+  State Sensed() const { return bench_.StateOf(true_, unknown_); }
+  int Object(const std::string& name) const { return bench_.Object(name); }
+  std::string Name(int object) const { return bench_.Name(object); }
+  std::string Show(const SkillRequest& request) const {
     static const std::vector<std::string> kKinds = {
         "insert", "present", "put down", "go home", "go free"};
     std::string text =
@@ -167,18 +108,17 @@ class Bench : public testing::Test {
   }
   std::vector<std::string> TakeAsked() { return std::exchange(asked_, {}); }
 
-  Domain domain_ =
-      Domain::FromConfig(Config::Parse(kBench, "bench"), PartTable());
-  Executor::Params params_;
+  BenchDomain bench_;
+  ExecutionParams params_;
   std::map<std::string, Arm> arms_ = {
       {"left", {}}, {"right", {-1, "", {"bolt_1", "bolt_2", "lid"}}}};
   std::set<std::string> true_;
   std::set<std::string> unknown_;
   Instant now_{1'000'000, 125};
-  std::unique_ptr<Executor> executor_;
+  std::unique_ptr<Execute> execute_;
   std::vector<std::string> asked_;
-  std::vector<ArmOrder> requests_;
-  std::vector<Execution> told_;
+  std::vector<SkillRequest> requests_;
+  std::vector<ExecutionStatus> told_;
   std::set<int64_t> ids_;
   bool is_sensing_ = false;
   bool is_deaf_ = false;  // arms lose what they are asked for
@@ -198,14 +138,14 @@ TEST_F(Bench, DoesOneActionAfterTheOtherGoesHomeAndIsDone) {
   Succeed("right", "Closed(lid)");
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("left: go home", "right: go home"));
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
   End("left");
   End("right");
   Step(10);
-  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kDone);
   // What is taken apart afterwards stays so.
   true_.clear();
-  executor_->Take(SensedState{1, now_.utime, Sensed()});
+  execute_->OnSensed(SensedState{1, now_.utime, Sensed()});
   Step(20);
   EXPECT_THAT(TakeAsked(), IsEmpty());
 }
@@ -217,8 +157,8 @@ TEST_F(Bench, ActsOnNoStateThatIsOlderThanTheResult) {
   const int64_t end = now_.utime;
   // An older state does not show what was done.
   State old = Sensed();
-  executor_->Take(SensedState{0, end - 1, old});
-  executor_->Take(SensedState{0, end + params_.settle_us - 1, old});
+  execute_->OnSensed(SensedState{0, end - 1, old});
+  execute_->OnSensed(SensedState{0, end + params_.settle_us - 1, old});
   Step();
   EXPECT_EQ(asked_.size(), 1u);
   Step(9);
@@ -239,18 +179,18 @@ TEST_F(Bench, AsksAgainForPredicatesThatDoNotCome) {
 }
 
 TEST_F(Bench, DoesNothingUnlessTheModeIsExecute) {
-  executor_->Permit(false);
+  execute_->SetPermission(false, now_);
   Step(20);
   EXPECT_THAT(asked_, IsEmpty());
-  executor_->Permit(true);
+  execute_->SetPermission(true, now_);
   Step(10);
   EXPECT_EQ(asked_.size(), 1u);
   // Held while it runs: the end counts, nothing new is begun.
-  executor_->Permit(false);
+  execute_->SetPermission(false, now_);
   Succeed("right", "In(bolt_1, hole_1)");
   Step(20);
   EXPECT_EQ(asked_.size(), 1u);
-  executor_->Permit(true);
+  execute_->SetPermission(true, now_);
   Step(10);
   EXPECT_EQ(asked_.size(), 2u);
 }
@@ -286,7 +226,7 @@ TEST_F(Bench, WhatIsSensedUnderWayNeitherPlansNorForgetsFailures) {
   Step(10);
   for (int i = 0; i < 3; ++i) {
     true_ = {"In(bolt_1, hole_1)"};
-    executor_->Take(SensedState{0, now_.utime, Sensed()});
+    execute_->OnSensed(SensedState{0, now_.utime, Sensed()});
     Step();
     true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
     Fail("right", "the lid is bent");
@@ -294,7 +234,7 @@ TEST_F(Bench, WhatIsSensedUnderWayNeitherPlansNorForgetsFailures) {
   }
   Step(kPatience);
   EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
-  EXPECT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
 }
 
 TEST_F(Bench, PassesOnOneAfterTheOtherWhileSomethingIsInserted) {
@@ -322,20 +262,20 @@ TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
     Fail("right", "the lid is bent");
     Step(10);
   }
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
   Step(kPatience);
   EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_EQ(told_.back().text,
             "Close(lid) by the right arm has failed 3 times: the lid is bent; "
             "please do it, or change what hinders it");
   // The person bends it straight, which no predicate says.
   DoneAction moved{0, now_.utime, 0, 0, {Object("lid")}, "moving lid"};
   moved.pick_utime = now_.utime - 1;
-  executor_->Take(moved);
+  execute_->OnAction(moved);
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
 TEST_F(Bench, WhatIsReportedAsDoneButIsNotCountsAsAFailure) {
@@ -346,7 +286,7 @@ TEST_F(Bench, WhatIsReportedAsDoneButIsNotCountsAsAFailure) {
     Step(10);
   }
   Step(kPatience);
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_THAT(told_.back().text, HasSubstr("reported as done, but is not"));
 }
 
@@ -354,13 +294,13 @@ TEST_F(Bench, WhatAHoldHasStoppedIsNoFailure) {
   Step(10);
   for (int i = 0; i < 5; ++i) {
     EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
-    End("right", ArmOutcome::Outcome::kStopped, "held");
+    End("right", SkillResult::Outcome::kStopped, "held");
     Step(10);
     EXPECT_THAT(TakeAsked(), ElementsAre("right: go free"));
     End("right");
     Step(10);
   }
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
 // What is held there may be under strain, and look as it is not.
@@ -368,7 +308,7 @@ TEST_F(Bench, AnArmThatWasStoppedGoesFreeBeforeTheStateIsSensed) {
   Step(10);
   TakeAsked();
   const int num_sensed = num_sensed_;
-  End("right", ArmOutcome::Outcome::kStopped, "protective stop");
+  End("right", SkillResult::Outcome::kStopped, "protective stop");
   Step(20);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: go free"));
   EXPECT_EQ(num_sensed_, num_sensed);
@@ -380,11 +320,11 @@ TEST_F(Bench, AnArmThatWasStoppedGoesFreeBeforeTheStateIsSensed) {
 
 TEST_F(Bench, AStopOnTheWayToGoFreeIsGotOverHoweverOftenItComes) {
   Step(10);
-  End("right", ArmOutcome::Outcome::kStopped, "protective stop");
+  End("right", SkillResult::Outcome::kStopped, "protective stop");
   Step(10);
   TakeAsked();
   for (int i = 0; i < 5; ++i) {
-    End("right", ArmOutcome::Outcome::kStopped, "protective stop");
+    End("right", SkillResult::Outcome::kStopped, "protective stop");
     Step(10);
     EXPECT_THAT(TakeAsked(), ElementsAre("right: go free"));
   }
@@ -392,7 +332,7 @@ TEST_F(Bench, AStopOnTheWayToGoFreeIsGotOverHoweverOftenItComes) {
 
 TEST_F(Bench, AnArmThatCannotGoFreeIsAskedForTheNextActionAllTheSame) {
   Step(10);
-  End("right", ArmOutcome::Outcome::kStopped, "protective stop");
+  End("right", SkillResult::Outcome::kStopped, "protective stop");
   TakeAsked();
   for (int i = 0; i < 3; ++i) {
     Step(10);
@@ -406,7 +346,7 @@ TEST_F(Bench, AnArmThatCannotGoFreeIsAskedForTheNextActionAllTheSame) {
 TEST_F(Bench, WayThatIsGivenToAPersonIsNoFailure) {
   Step(10);
   for (int i = 0; i < 5; ++i) {
-    End("right", ArmOutcome::Outcome::kYielded, "a hand is in the way");
+    End("right", SkillResult::Outcome::kYielded, "a hand is in the way");
     Step(10);
   }
   EXPECT_THAT(TakeAsked(),
@@ -420,7 +360,7 @@ TEST_F(Bench, AsksForNothingThatAPersonPutsBackSoonEnough) {
   arms_["right"].reachable.insert("lid");
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
 TEST_F(Bench, ANewLifeOfThePlannerWaitsForTheArmsAndSenses) {
@@ -454,7 +394,7 @@ TEST_F(Bench, AnArmThatIsDeafEndsInAQuestion) {
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(300);
   EXPECT_EQ(std::ranges::count(TakeAsked(), "right: insert lid at top"), 3);
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_THAT(told_.back().text, HasSubstr("the arm began anew"));
 }
 
@@ -467,13 +407,13 @@ TEST_F(Bench, AsksForExactlyThePartThatIsOutOfReachAndGoesOnWhenItIsThere) {
   arms_["right"].reachable = {"bolt_1", "bolt_2"};
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(10);
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
   Step(kPatience);
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_EQ(told_.back().text,
             "lid is out of reach of both arms: please move it into reach");
   ASSERT_EQ(told_.back().needed.size(), 1u);
-  EXPECT_EQ(domain_.vocabulary().AtomName(told_.back().needed[0].atom),
+  EXPECT_EQ(bench_.rules->vocabulary().AtomName(told_.back().needed[0].atom),
             "Reachable(left, lid)");
   const size_t num_told = told_.size();
   Step(100);
@@ -484,21 +424,21 @@ TEST_F(Bench, AsksForExactlyThePartThatIsOutOfReachAndGoesOnWhenItIsThere) {
   EXPECT_THAT(TakeAsked(), IsEmpty());
   Step(50);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
 TEST_F(Bench, GoesOnAsSoonAsThePersonIsSeenToHaveLetGo) {
   arms_["right"].reachable = {"bolt_1", "bolt_2"};
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(kPatience);
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   DoneAction action;
   action.pick_utime = now_.utime;
   arms_["right"].reachable.insert("lid");
   Step(10);
   action.utime = now_.utime;
   action.objects = {Object("lid")};
-  executor_->Take(action);
+  execute_->OnAction(action);
   Step(20);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert lid at top"));
 }
@@ -542,7 +482,7 @@ TEST_F(Bench, DoesOneThingAtATimeIfToldSo) {
 TEST_F(Bench, PursuesAnotherGoalOnceTheRunningActionHasEnded) {
   Begin("one");
   Step(10);
-  executor_->Pursue(*domain_.FindGoal("done"));
+  execute_->SetGoal(bench_.GoalOf("done"));
   Step(10);
   EXPECT_THAT(TakeAsked(), testing::SizeIs(1));
   Succeed("right", "In(bolt_1, hole_1)");
@@ -557,12 +497,12 @@ TEST_F(Bench, AGoalAfterDoneIsPursued) {
   End("left");
   End("right");
   Step(2);
-  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kDone);
   TakeAsked();
-  executor_->Pursue(*domain_.FindGoal("done"));
+  execute_->SetGoal(bench_.GoalOf("done"));
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
 TEST_F(Bench, EmptiesItsGrippersBeforeItGoesHome) {
@@ -581,7 +521,7 @@ TEST_F(Bench, EmptiesItsGrippersBeforeItGoesHome) {
     Fail("right", "the way is blocked");
     Step(10);
   }
-  EXPECT_EQ(told_.back().state, Execution::State::kDone);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kDone);
   EXPECT_EQ(told_.back().text, "the way is blocked");
 }
 
@@ -592,12 +532,12 @@ TEST_F(Bench, PutsDownWhatCannotBePlacedNow) {
 }
 
 TEST_F(Bench, LeavesStepsToThePersonAndAsksForThem) {
-  params_.help_steps = {*domain_.FindGroundAction("Close", {"lid"})};
+  params_.help_steps = {bench_.Action("Close", {"lid"})};
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Begin("done");
   Step(10);
   EXPECT_THAT(TakeAsked(), IsEmpty());
-  ASSERT_EQ(told_.back().state, Execution::State::kStuck);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_EQ(told_.back().text, "please do Close(lid)");
   true_.insert("Closed(lid)");
   Step(80);
@@ -609,10 +549,10 @@ TEST_F(Bench, WaitsForWhatIsUnknownAndThenAsks) {
               "In(bolt_2, hole_2)"};
   Step(20);
   EXPECT_THAT(asked_, IsEmpty());
-  EXPECT_EQ(told_.back().state, Execution::State::kRunning);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
   Step(60);
   EXPECT_THAT(asked_, IsEmpty());
-  EXPECT_EQ(told_.back().state, Execution::State::kStuck);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   unknown_.clear();
   Step(80);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
@@ -622,16 +562,18 @@ TEST_F(Bench, RequestsCarryADeadline) {
   Step(10);
   ASSERT_EQ(requests_.size(), 1u);
   EXPECT_GT(requests_[0].deadline_utime, 0);
-  EXPECT_LE(requests_[0].deadline_utime, now_.utime + params_.deadline_us);
+  EXPECT_LE(requests_[0].deadline_utime,
+            now_.utime + params_.dispatch.deadline_us);
 }
 
 TEST_F(Bench, TheResultOfAnotherRequestChangesNothing) {
   Step(10);
   TakeAsked();
-  executor_->Take(ArmOutcome{77, now_.utime, Object("right"),
-                             ArmOutcome::Outcome::kFailed, "?"});
-  executor_->Take(ArmOutcome{requests_[0].id, now_.utime, Object("left"),
-                             ArmOutcome::Outcome::kFailed, "?"});
+  execute_->OnSkillResult(SkillResult{77, now_.utime, Object("right"),
+                                      SkillResult::Outcome::kFailed, "?"});
+  execute_->OnSkillResult(SkillResult{requests_[0].id, now_.utime,
+                                      Object("left"),
+                                      SkillResult::Outcome::kFailed, "?"});
   Step(20);
   EXPECT_THAT(TakeAsked(), IsEmpty());
 }

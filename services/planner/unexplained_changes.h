@@ -2,25 +2,28 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "services/planner/monitor.h"
+#include "common/relational/domain.h"
+#include "services/planner/observations.h"
 
 namespace cell::planner {
 
-/// Changes of the state that no recognised action accounts for: whoever sees
-/// and names what people do was dead meanwhile, or it happened by itself. The
-/// plan is right all the same, since it is made from the state. Pure.
+/// Changes of the state that no recognised action accounts for: the recognizer
+/// was dead meanwhile, or it happened by itself. The plan is right all the
+/// same, since it is made from the state.
 ///
 /// What the task's goals speak of is accounted for by an action with an object
 /// of it alone; the rest, like what lies below a part in the air, by any action
-/// at that time. Who joins an episode that runs cannot know what was said
-/// before, and accounts for what the goals speak of and finds done, too.
-class UnseenChanges {
+/// at that time. After a late start nothing is known of the actions before:
+/// what the goals speak of and is found done has to be accounted for, too.
+class UnexplainedChanges {
  public:
   struct Params {
     /// [us] An action has a name by then: it ends when the hand lets go.
@@ -31,11 +34,12 @@ class UnseenChanges {
 
   /// What is true in the first state was so when the episode began, unless
   /// `has_joined_late`.
-  UnseenChanges(const Domain& domain, const Params& params,
-                bool has_joined_late = false);
+  UnexplainedChanges(std::shared_ptr<const Vocabulary> vocabulary,
+                     std::span<const Goal> goals, const Params& params,
+                     bool has_joined_late = false);
 
-  void Take(const SensedState& sensed);
-  void Take(const DoneAction& action);
+  void Update(const SensedState& sensed);
+  void Update(const DoneAction& action);
 
   bool has_joined_late() const { return has_joined_late_; }
   bool has_state() const { return latest_.has_value(); }
@@ -62,7 +66,7 @@ class UnseenChanges {
   void Account(const DoneAction& action, Change& change) const;
   std::string Tell(const Change& change) const;
 
-  const Domain& domain_;
+  std::shared_ptr<const Vocabulary> vocabulary_;
   Params params_;
   bool has_joined_late_;
   std::set<int> goal_predicates_;

@@ -1,4 +1,4 @@
-#include "services/planner/unseen_changes.h"
+#include "services/planner/unexplained_changes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,17 +16,20 @@ constexpr size_t kMaxActions = 16;
 
 }  // namespace
 
-UnseenChanges::UnseenChanges(const Domain& domain, const Params& params,
-                             bool has_joined_late)
-    : domain_(domain), params_(params), has_joined_late_(has_joined_late) {
-  for (const Goal& goal : domain.goals()) {
+UnexplainedChanges::UnexplainedChanges(
+    std::shared_ptr<const Vocabulary> vocabulary, std::span<const Goal> goals,
+    const Params& params, bool has_joined_late)
+    : vocabulary_(std::move(vocabulary)),
+      params_(params),
+      has_joined_late_(has_joined_late) {
+  for (const Goal& goal : goals) {
     for (const Literal& literal : goal.literals) {
       if (!literal.is_static) goal_predicates_.insert(literal.relation);
     }
   }
 }
 
-void UnseenChanges::Take(const SensedState& sensed) {
+void UnexplainedChanges::Update(const SensedState& sensed) {
   if (latest_ && sensed.utime <= latest_->utime) return;
   if (latest_) {
     Add(ChangesSince(sensed));
@@ -36,18 +39,20 @@ void UnseenChanges::Take(const SensedState& sensed) {
   if (has_joined_late_) Add(Found(sensed));
 }
 
-UnseenChanges::Change UnseenChanges::Found(const SensedState& sensed) const {
+UnexplainedChanges::Change UnexplainedChanges::Found(
+    const SensedState& sensed) const {
   Change change{sensed.key_frame, sensed.utime, {}, true};
   for (int atom = 0; atom < sensed.state.num_atoms(); ++atom) {
     if (sensed.state.Get(atom) == Truth::kTrue &&
-        goal_predicates_.contains(domain_.vocabulary().Atom(atom).predicate)) {
+        goal_predicates_.contains(vocabulary_->Atom(atom).predicate)) {
       change.atoms.emplace_back(atom, true);
     }
   }
   return change;
 }
 
-UnseenChanges::Change UnseenChanges::ChangesSince(const SensedState& sensed) {
+UnexplainedChanges::Change UnexplainedChanges::ChangesSince(
+    const SensedState& sensed) {
   Change change{sensed.key_frame, sensed.utime, {}};
   for (int atom = 0; atom < sensed.state.num_atoms(); ++atom) {
     const Truth now = sensed.state.Get(atom);
@@ -62,15 +67,15 @@ UnseenChanges::Change UnseenChanges::ChangesSince(const SensedState& sensed) {
   return change;
 }
 
-void UnseenChanges::Add(Change change) {
+void UnexplainedChanges::Add(Change change) {
   for (const DoneAction& action : actions_) Account(action, change);
   if (!change.atoms.empty() && changes_.size() < kMaxChanges) {
     changes_.push_back(std::move(change));
   }
 }
 
-bool UnseenChanges::IsDuring(const DoneAction& action,
-                             const Change& change) const {
+bool UnexplainedChanges::IsDuring(const DoneAction& action,
+                                  const Change& change) const {
   // From the state that the pick-up has made to what settles afterwards; a
   // state without a key frame of its own goes by its time.
   const bool is_within = change.key_frame >= action.pick_key_frame &&
@@ -80,21 +85,22 @@ bool UnseenChanges::IsDuring(const DoneAction& action,
   return is_within || is_about;
 }
 
-bool UnseenChanges::Explains(const DoneAction& action, int atom) const {
-  const GroundAtom ground = domain_.vocabulary().Atom(atom);
+bool UnexplainedChanges::Explains(const DoneAction& action, int atom) const {
+  const GroundAtom ground = vocabulary_->Atom(atom);
   return !goal_predicates_.contains(ground.predicate) ||
          std::ranges::any_of(ground.objects, [&](int object) {
            return std::ranges::count(action.objects, object) > 0;
          });
 }
 
-void UnseenChanges::Account(const DoneAction& action, Change& change) const {
+void UnexplainedChanges::Account(const DoneAction& action,
+                                 Change& change) const {
   if (!IsDuring(action, change)) return;
   std::erase_if(change.atoms,
                 [&](const auto& atom) { return Explains(action, atom.first); });
 }
 
-void UnseenChanges::Take(const DoneAction& action) {
+void UnexplainedChanges::Update(const DoneAction& action) {
   for (Change& change : changes_) Account(action, change);
   std::erase_if(changes_,
                 [](const Change& change) { return change.atoms.empty(); });
@@ -102,11 +108,11 @@ void UnseenChanges::Take(const DoneAction& action) {
   if (actions_.size() > kMaxActions) actions_.pop_front();
 }
 
-std::vector<std::string> UnseenChanges::TakeAll() {
+std::vector<std::string> UnexplainedChanges::TakeAll() {
   return TakeOverdue(std::numeric_limits<int64_t>::max());
 }
 
-std::vector<std::string> UnseenChanges::TakeOverdue(int64_t now) {
+std::vector<std::string> UnexplainedChanges::TakeOverdue(int64_t now) {
   std::vector<std::string> texts;
   std::erase_if(changes_, [&](const Change& change) {
     const bool is_overdue = now - change.utime > params_.patience_us;
@@ -116,11 +122,10 @@ std::vector<std::string> UnseenChanges::TakeOverdue(int64_t now) {
   return texts;
 }
 
-std::string UnseenChanges::Tell(const Change& change) const {
+std::string UnexplainedChanges::Tell(const Change& change) const {
   std::vector<std::string> literals;
   for (const auto& [atom, is_true] : change.atoms) {
-    literals.push_back((is_true ? "" : "not ") +
-                       domain_.vocabulary().AtomName(atom));
+    literals.push_back((is_true ? "" : "not ") + vocabulary_->AtomName(atom));
   }
   const double seconds = 1e-6 * static_cast<double>(change.utime);
   if (change.is_found) {

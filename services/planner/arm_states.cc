@@ -1,7 +1,8 @@
-#include "services/planner/arms.h"
+#include "services/planner/arm_states.h"
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace cell::planner {
 namespace {
@@ -24,64 +25,65 @@ void ForEachReported(const Vocabulary& vocabulary, Visit visit) {
 
 }  // namespace
 
-Arms::Arms(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {
+ArmStates::ArmStates(std::shared_ptr<const Vocabulary> vocabulary)
+    : vocabulary_(std::move(vocabulary)) {
   std::set<int> arms;
-  for (const Predicate& predicate : vocabulary.predicates()) {
+  for (const Predicate& predicate : vocabulary_->predicates()) {
     if (!predicate.report) continue;
     const size_t place = predicate.report == kHeld ? 1 : 0;
     for (const int arm :
-         vocabulary.ObjectsOf(predicate.argument_types[place])) {
+         vocabulary_->ObjectsOf(predicate.argument_types[place])) {
       arms.insert(arm);
     }
   }
   arms_.assign(arms.begin(), arms.end());
 }
 
-void Arms::Take(const ArmStatus& report) {
+void ArmStates::Update(const ArmState& report) {
   const auto [it, is_new] = reports_.try_emplace(report.arm, report);
   if (!is_new && report.utime >= it->second.utime) it->second = report;
 }
 
-const ArmStatus* Arms::Of(int arm) const {
+const ArmState* ArmStates::Of(int arm) const {
   const auto it = reports_.find(arm);
   return it == reports_.end() ? nullptr : &it->second;
 }
 
-bool Arms::HaveReportedSince(int64_t utime) const {
+bool ArmStates::HaveReportedSince(int64_t utime) const {
   return std::all_of(arms_.begin(), arms_.end(), [&](int arm) {
-    const ArmStatus* report = Of(arm);
+    const ArmState* report = Of(arm);
     return report != nullptr && report->utime >= utime;
   });
 }
 
-bool Arms::AreIdle() const {
+bool ArmStates::AreIdle() const {
   return std::all_of(arms_.begin(), arms_.end(), [&](int arm) {
-    const ArmStatus* report = Of(arm);
-    return report != nullptr && report->request == ArmStatus::kIdle;
+    const ArmState* report = Of(arm);
+    return report != nullptr && report->request == ArmState::kIdle;
   });
 }
 
-State Arms::WithReports(State state) const {
-  ForEachReported(vocabulary_, [&](int atom, Predicate::Report report,
-                                   const std::vector<int>& objects) {
+State ArmStates::WithReports(State state) const {
+  ForEachReported(*vocabulary_, [&](int atom, Predicate::Report report,
+                                    const std::vector<int>& objects) {
     state.Set(atom, report == kHeld ? IsHeld(objects[0], objects[1])
                                     : IsReachable(objects[0], objects[1]));
   });
   return state;
 }
 
-Truth Arms::IsHeld(int part, int arm) const {
-  const ArmStatus* report = Of(arm);
+Truth ArmStates::IsHeld(int part, int arm) const {
+  const ArmState* report = Of(arm);
   return report == nullptr ? Truth::kUnknown : FromBool(report->held == part);
 }
 
-Truth Arms::IsReachable(int arm, int part) const {
+Truth ArmStates::IsReachable(int arm, int part) const {
   for (const int other : arms_) {
-    const ArmStatus* report = Of(other);
+    const ArmState* report = Of(other);
     if (report != nullptr && report->held == part)
       return FromBool(other == arm);
   }
-  const ArmStatus* report = Of(arm);
+  const ArmState* report = Of(arm);
   if (report == nullptr) return Truth::kUnknown;
   const auto& parts = report->reachable;
   return FromBool(std::find(parts.begin(), parts.end(), part) != parts.end());

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 
-#include "common/relational/domain.h"
+#include "common/relational/rule.h"
 
 namespace cell::planner {
 
-/// How often an action was tried in vain in one and the same state. After so
-/// many times it is blocked until something changes: a reason to do something
-/// else, or to ask.
-class Attempts {
+/// How often each action has failed in one and the same state. After
+/// `max_attempts` it is blocked until something changes: a reason to do
+/// something else, or to ask.
+class FailureHistory {
  public:
   struct Entry {
     State before;
@@ -19,9 +21,8 @@ class Attempts {
     std::string reason;  ///< of the last time, in plain words
   };
 
-  /// `domain` must outlive this object.
-  Attempts(const Domain& domain, int max_attempts)
-      : domain_(domain), max_attempts_(max_attempts) {}
+  FailureHistory(std::shared_ptr<const Vocabulary> vocabulary, int max_attempts)
+      : vocabulary_(std::move(vocabulary)), max_attempts_(max_attempts) {}
 
   /// It was tried in `before` and has ended. If it has succeeded, the state
   /// will tell.
@@ -36,14 +37,14 @@ class Attempts {
   void Clear() { entries_.clear(); }
 
   std::set<GroundAction> Blocked() const;
-  /// Nothing unless it was tried.
+  /// Nullptr unless it was tried.
   const Entry* Of(const GroundAction& action) const;
 
  private:
   bool IsSame(const GroundAction& action, const State& before,
               const State& now) const;
 
-  const Domain& domain_;
+  std::shared_ptr<const Vocabulary> vocabulary_;
   int max_attempts_;
   std::map<GroundAction, Entry> entries_;
 };
