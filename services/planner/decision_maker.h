@@ -23,10 +23,12 @@ struct Episode {
 
 /// The decision maker (sections VII-B, VIII-A): one state at a time.
 ///
-///     Idle --an episode of a person--> Watch --another episode--> ...
-///       ^ ---an episode of the robot--> Execute --its end--> Idle
+///     any --episode of a person--> Watch
+///     any --episode of the robot--> Execute --its end--> Idle
+///     any --episode without known agent and goal--> Idle
 ///
-/// To come: an episode in which it is taught.
+/// Watch outlasts the end of its episode, since the last actions are recognised
+/// later. To teach will be a state beside these.
 class DecisionMaker {
  public:
   struct Params {
@@ -35,7 +37,7 @@ class DecisionMaker {
     Watch::Params watch = {};
     ExecutionParams execution = {};
   };
-  /// Why not, or nullopt and what follows from it.
+  /// Refused for a reason, or accepted and what follows from it.
   struct Answer {
     std::optional<std::string> refusal = {};
     Decisions decisions = {};
@@ -68,7 +70,7 @@ class DecisionMaker {
   Params params_;
   std::unique_ptr<DecisionState> state_;
   bool may_act_ = false;
-  std::optional<int64_t> episode_;  // the last that was begun or complained of
+  std::optional<int64_t> episode_;  // id of the last that was taken up
   int64_t start_utime_ = 0;         // of the episode
 };
 

@@ -12,8 +12,7 @@ namespace cell::planner {
 
 struct Excuse {
   std::string text;
-  std::vector<RequiredChange>
-      needed;  ///< empty: nothing that could be wished for
+  std::vector<RequiredChange> needed;  ///< empty: nothing would help
 };
 
 /// Plain words for why `goal` cannot be reached from `state` of the space: the

@@ -10,9 +10,9 @@ namespace cell::planner {
 /// Does a task with the arms (section VIII-A): the first action of the plan is
 /// requested, its end awaited, the state sensed afresh, the plan renewed.
 /// Nothing is remembered of the world, so that a person may do any step
-/// meanwhile, and a new life of the planner goes on from what it senses once
-/// all arms are idle. If an action has failed too often, another one is tried,
-/// or the person is asked. Its states: execution/execution_state.h.
+/// meanwhile, and a planner that is started anew goes on from what it senses
+/// once all arms are idle. If an action has failed too often, another one is
+/// tried, or the person is asked. Its states: execution/execution_state.h.
 class Execute final : public DecisionState {
  public:
   Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,

@@ -25,14 +25,14 @@ struct EndedSkill {
   RunningSkill skill;
   int64_t utime = 0;  ///< [us]
   bool has_succeeded = false;
-  bool counts = false;  ///< it has run, and nobody has stopped it
+  bool counts = false;  ///< as an attempt: neither stopped nor yielded
   std::string reason;
 };
 
-/// Who runs what. An arm whose skill was cut short, by a stop or its own
-/// death, is first to go free of what it is at: until then what is sensed may
-/// be under strain. An action that fails again and again without a change of
-/// the state is blocked (FailureHistory).
+/// Which arm runs which skill. An arm whose skill was cut short, by a stop or
+/// the death of its service, first has to go free: until then what is sensed
+/// may be under strain. An action that fails again and again without a change
+/// of the state is blocked (FailureHistory).
 class SkillDispatch {
  public:
   struct Params {
@@ -49,8 +49,8 @@ class SkillDispatch {
   void Update(const ArmState& report) { arms_.Update(report); }
   /// Nullopt if the request is not ours.
   std::optional<EndedSkill> Update(const SkillResult& result);
-  /// Arms that have been idle for too long after they were asked have begun a
-  /// new life and know nothing of it.
+  /// Ends what arms were asked for that have been idle for too long since: they
+  /// have started anew and know nothing of it.
   std::vector<EndedSkill> EndLostRequests();
 
   /// All arms have reported since the last end of a skill.
@@ -69,7 +69,7 @@ class SkillDispatch {
   /// Asks the arm, which must be free.
   void Start(SkillRequest request, std::optional<GroundAction> action,
              const State& before, Instant now, Decisions& out);
-  /// Asks free arms that were cut short to go free.
+  /// Asks free arms whose skill was cut short to go free.
   void StartGoingFree(Instant now, Decisions& out);
 
   /// "Present(lid), Insert(bolt_1, hole_1)"; empty if nothing runs.
@@ -85,7 +85,7 @@ class SkillDispatch {
   FailureHistory failures_;
   int64_t since_utime_;
   std::map<int, RunningSkill> running_;  // by arm
-  /// Arms that were cut short, and how often they failed to go free.
+  /// Arms whose skill was cut short, and how often they failed to go free.
   std::map<int, int> to_free_;
 };
 

@@ -11,7 +11,7 @@ namespace cell::planner {
 /// What an arm is to do once. Objects are the vocabulary's.
 struct SkillRequest {
   enum class Kind { kInsert, kPresent, kPutDown, kGoHome, kGoFree };
-  int64_t id = 0;              ///< unique in a run, across lives of the planner
+  int64_t id = 0;  ///< unique in a run, across starts of the planner
   int64_t deadline_utime = 0;  ///< [us] not begun later
   int arm = 0;
   Kind kind = Kind::kInsert;

@@ -161,12 +161,16 @@ TEST_F(Dispatch, ARequestThatAnIdleArmHasForgottenIsLost) {
   EXPECT_EQ(dispatch_.failures().Of(insert_)->count, 1);
 }
 
-TEST_F(Dispatch, ASlowSkillIsNotLost) {
+TEST_F(Dispatch, ASlowSkillIsNotLostEvenIfItsResultComesLate) {
   StartInsertion();
   for (int i = 0; i < 100; ++i) {
     Report();
     EXPECT_THAT(dispatch_.EndLostRequests(), IsEmpty());
   }
+  const int64_t id = std::exchange(runs_[right_], ArmState::kIdle);
+  Report();  // idle already
+  EXPECT_THAT(dispatch_.EndLostRequests(), IsEmpty());
+  EXPECT_TRUE(dispatch_.Update({id, now_.utime, right_, {}, ""}).has_value());
 }
 
 }  // namespace

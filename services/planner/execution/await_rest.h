@@ -4,8 +4,8 @@
 
 namespace cell::planner {
 
-/// Until all arms are at rest: what an earlier life of the planner, or the goal
-/// before, has asked for may still be under way.
+/// Until all arms are at rest: what was asked for by the goal before, or before
+/// the planner was started anew, may still be under way.
 class AwaitRest final : public ExecutionState {
  public:
   std::string_view name() const override { return "await_rest"; }

@@ -31,8 +31,8 @@ struct ExecutionContext {
   Dialogue dialogue;
   bool may_act = false;  ///< the cell's mode lets arms begin something
 
-  /// True if arms may begin something. First it asks arms that were cut short
-  /// to go free.
+  /// True if arms may begin something. First it asks arms whose skill was
+  /// cut short to go free.
   bool MayBegin(Instant now, Decisions& out) {
     if (!may_act || !dispatch.HaveArmsReported()) return false;
     if (sensing.IsDue(now)) dispatch.StartGoingFree(now, out);

@@ -9,19 +9,23 @@ namespace cell::planner {
 
 /// A state of the robot's execution. Each is a file of this folder.
 ///
-///        a goal                                    the person has acted
-///          |                                 +----------- AwaitPerson
-///          v                                 v                 ^
-///      AwaitRest ----> Await ----> Sense --> Act --> Undecided | the state
-///           arms are      one may    fresh   | ^  no sure |    | changes
-///           at rest       begin      state   | |   plan   v    |
-///                                            | |         Ask --+
-///          Done <----- CleanUp <-------------+ +--- other plan
-///             arms are home      goal reached
+///     a goal
+///       |
+///       v       arms at rest         one may begin         fresh state
+///     AwaitRest ------------> Await ---------------> Sense -----------> Act
 ///
-/// From Sense, Act, Undecided, Ask and AwaitPerson it goes back to Await if no
-/// arm may begin anything, and to Sense if the state is not fresh. Act asks at
-/// once for a step that is left to the person.
+///     Act --goal reached--> CleanUp --arms are home--> Done
+///     Act --a step is left to the person--> Ask
+///     Act --no sure plan--> Undecided --patience is over--> Ask
+///     Undecided, Ask --another plan, or other rules--> Act
+///     Undecided, Ask, Act --the state changes after a question--> AwaitPerson
+///     AwaitPerson --the state stays--> Act
+///     Sense, Act, Undecided, Ask, AwaitPerson --no arm may begin--> Await
+///     Act, Undecided, Ask, AwaitPerson --the state is not fresh--> Sense
+///     all --another goal--> AwaitRest
+///
+/// A skill that ends makes the state stale; so does a person who was asked and
+/// has put something down.
 class ExecutionState {
  public:
   ExecutionState() = default;
