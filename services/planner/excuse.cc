@@ -25,8 +25,8 @@ std::vector<int> ConstantAtoms(const StateSpace& space,
 /// Literals over deictic variables are left out: nobody knows their objects.
 bool Needs(const StateSpace& space, const GroundAction& action, int atom,
            Truth truth) {
-  const Domain& domain = space.domain();
-  const Action& lifted = domain.actions()[action.action];
+  const Vocabulary& vocabulary = space.rules().vocabulary();
+  const Action& lifted = space.rules().ActionOf(action);
   const int num_arguments = static_cast<int>(action.arguments.size());
   for (const NdrRule& rule : lifted.rules) {
     if (!rule.IsFor(space.agent())) continue;
@@ -38,8 +38,7 @@ bool Needs(const StateSpace& space, const GroundAction& action, int atom,
           });
       if (literal.is_static || !is_bound) continue;
       if (literal.is_negated != (truth == Truth::kFalse)) continue;
-      const auto atoms =
-          AtomsOf(literal, action.arguments, domain.vocabulary());
+      const auto atoms = AtomsOf(literal, action.arguments, vocabulary);
       if (std::count(atoms.begin(), atoms.end(), atom) > 0) return true;
     }
   }
@@ -59,7 +58,7 @@ State Flipped(State state, const std::vector<int>& atoms) {
 /// itself speaks, since to wish for the goal explains nothing.
 std::vector<int> Obstacles(const StateSpace& space, int state,
                            const Goal& goal) {
-  const Vocabulary& vocabulary = space.domain().vocabulary();
+  const Vocabulary& vocabulary = space.rules().vocabulary();
   std::set<int> goal_predicates;
   for (const Literal& l : goal.literals) goal_predicates.insert(l.relation);
   std::vector<int> obstacles;
@@ -115,7 +114,7 @@ std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
 /// The goal's literals that fail in the reachable state where fewest do.
 std::string MissingLiterals(const StateSpace& space, int state,
                             const Goal& goal) {
-  const Vocabulary& vocabulary = space.domain().vocabulary();
+  const Vocabulary& vocabulary = space.rules().vocabulary();
   std::vector<std::string> fewest;
   for (const int s : space.ReachableFrom(state)) {
     std::vector<std::string> missing;
@@ -136,15 +135,15 @@ std::string MissingLiterals(const StateSpace& space, int state,
 /// true"
 std::string Complaint(const StateSpace& space, const State& state, int atom,
                       const std::vector<PlanStep>& steps) {
-  const Domain& domain = space.domain();
+  const RuleSet& rules = space.rules();
   const bool is_true = state.Get(atom) == Truth::kTrue;
-  const std::string name = domain.vocabulary().AtomName(atom);
+  const std::string name = rules.vocabulary().AtomName(atom);
   const auto step =
       std::find_if(steps.begin(), steps.end(), [&](const PlanStep& s) {
         return Needs(space, s.action, atom, Opposite(state.Get(atom)));
       });
   std::string text;
-  if (step != steps.end()) text = domain.Show(step->action) + " needs ";
+  if (step != steps.end()) text = rules.Show(step->action) + " needs ";
   text += (is_true ? "not " : "") + name + ", but " + name;
   return text + (is_true ? " is true and no action makes it false"
                          : " is false and no action makes it true");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/relational/domain.h"
 #include "services/planner/plan.h"
 #include "services/planner/state_space.h"
 
@@ -11,7 +12,7 @@ namespace cell::planner {
 
 struct Excuse {
   std::string text;
-  std::vector<Wish> needed;  ///< empty: nothing that could be wished for
+  std::vector<RequiredChange> needed;  ///< empty: nothing would help
 };
 
 /// Plain words for why `goal` cannot be reached from `state` of the space: the

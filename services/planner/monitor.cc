@@ -20,10 +20,20 @@ bool Concerns(const DoneAction& action, const GroundAtom& atom) {
 
 }  // namespace
 
-Monitor::Monitor(PlanSearch search, const Params& params)
-    : search_(std::move(search)), params_(params) {}
+Monitor::Monitor(std::shared_ptr<const RuleSet> rules,
+                 std::unique_ptr<Solver> solver, const Params& params)
+    : rules_(std::move(rules)), solver_(std::move(solver)), params_(params) {}
 
-Monitor::Report Monitor::Take(const SensedState& sensed) {
+Decisions Monitor::SetRules(std::shared_ptr<const RuleSet> rules,
+                            std::unique_ptr<Solver> solver) {
+  rules_ = std::move(rules);
+  solver_ = std::move(solver);
+  last_decided_.reset();
+  if (states_.empty()) return {};
+  return Report({}, false);
+}
+
+Decisions Monitor::Update(const SensedState& sensed) {
   if (!states_.emplace(sensed.key_frame, sensed).second) return {};
   std::vector<Alert> alerts = JudgeDeferred(sensed);
   bool has_acted = false;
@@ -38,10 +48,10 @@ Monitor::Report Monitor::Take(const SensedState& sensed) {
     has_acted = true;
   }
   Forget();
-  return Tell(std::move(alerts), has_acted);
+  return Report(std::move(alerts), has_acted);
 }
 
-Monitor::Report Monitor::Take(const DoneAction& action) {
+Decisions Monitor::Update(const DoneAction& action) {
   if (!actions_.emplace(action.index, action).second) return {};
   const auto after = states_.find(action.place_key_frame);
   if (after == states_.end()) {
@@ -52,12 +62,12 @@ Monitor::Report Monitor::Take(const DoneAction& action) {
   std::vector<Alert> alerts;
   if (auto alert = Judge(action, after->second)) alerts.push_back(*alert);
   Forget();
-  return Tell(std::move(alerts), true);
+  return Report(std::move(alerts), true);
 }
 
 std::optional<Alert> Monitor::Judge(const DoneAction& action,
                                     const SensedState& after) {
-  const Plan plan = search_.Find(after.state);
+  const Plan plan = solver_->Find(after.state);
   if (!IsDecided(plan)) {
     deferred_.push_back(action);
     return std::nullopt;
@@ -72,9 +82,8 @@ std::optional<Alert> Monitor::Judge(const DoneAction& action,
   last_decided_ = now;
   if (!without || now <= *without + params_.min_detour) return std::nullopt;
   const std::string next =
-      plan.steps.empty()
-          ? ""
-          : "; best next: " + search_.domain().Show(plan.steps[0].action);
+      plan.steps.empty() ? ""
+                         : "; best next: " + rules_->Show(plan.steps[0].action);
   return Alert{
       Alert::Cause::kLongerPlan, action.utime,
       fmt::format("{} has made the way to the goal longer: {:.1f} instead of "
@@ -93,7 +102,7 @@ std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
   State state = before->second.state;
   for (int atom = 0; atom < state.num_atoms(); ++atom) {
     if (state.Get(atom) == after.Get(atom)) continue;
-    const GroundAtom ground = search_.domain().vocabulary().Atom(atom);
+    const GroundAtom ground = rules_->vocabulary().Atom(atom);
     for (const auto& [index, other] : actions_) {
       if (index == action.index ||
           other.place_key_frame < action.pick_key_frame ||
@@ -104,7 +113,7 @@ std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
       state.Set(atom, after.Get(atom));
     }
   }
-  const Plan plan = search_.Find(state);
+  const Plan plan = solver_->Find(state);
   if (plan.result == Plan::Result::kFound ||
       plan.result == Plan::Result::kGoalReached) {
     return plan.expected_actions;
@@ -135,20 +144,20 @@ void Monitor::Forget() {
 }
 
 /// The plan of the latest state.
-Monitor::Report Monitor::Tell(std::vector<Alert> alerts, bool has_acted) {
+Decisions Monitor::Report(std::vector<Alert> alerts, bool has_acted) {
   const SensedState& latest = states_.rbegin()->second;
-  PlanOfState plan{latest.key_frame, latest.utime, search_.Find(latest.state)};
+  PlanOfState plan{latest.key_frame, latest.utime, solver_->Find(latest.state)};
   if (!last_decided_ && (plan.plan.result == Plan::Result::kFound ||
                          plan.plan.result == Plan::Result::kGoalReached)) {
     last_decided_ = plan.plan.expected_actions;
   }
-  Report report{std::nullopt, std::move(alerts)};
-  if (!told_ || has_acted || !report.alerts.empty() ||
-      told_->plan != plan.plan) {
-    report.plan = plan;
-    told_ = std::move(plan);
+  Decisions out{.alerts = std::move(alerts)};
+  if (!reported_ || has_acted || !out.alerts.empty() ||
+      reported_->plan != plan.plan) {
+    out.plan = plan;
+    reported_ = std::move(plan);
   }
-  return report;
+  return out;
 }
 
 }  // namespace cell::planner

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,11 @@ struct PlanStep {
 };
 
 /// A ground atom, and what it would have to be.
-struct Wish {
+struct RequiredChange {
   int atom = 0;
   Truth truth = Truth::kTrue;
   std::string why = {};  ///< in plain words: which action needs it
-  bool operator==(const Wish&) const = default;
+  bool operator==(const RequiredChange&) const = default;
 };
 
 /// The best way to a goal: the highest probability of reaching it, then the
@@ -32,14 +33,22 @@ struct Plan {
     kUndecided  ///< depends on atoms that are unknown, or is too large
   };
   Result result = Result::kUndecided;
-  std::string reason;        ///< in plain words, if there is no plan
-  std::vector<Wish> needed;  ///< what would allow one, if something would
+  std::string reason;  ///< in plain words, if there is no plan
+  std::vector<RequiredChange>
+      needed;  ///< what would allow one, if something would
   double probability = 0;
   double expected_actions = 0;  ///< given that the goal is reached
   std::vector<PlanStep> steps;  ///< the most likely course
   /// All actions from which the goal can be reached, best first.
   std::vector<PlanStep> next;
   bool operator==(const Plan&) const = default;
+};
+
+/// The plan for what was sensed at a key frame.
+struct PlanOfState {
+  int64_t key_frame = 0;
+  int64_t utime = 0;  ///< [us]
+  Plan plan;
 };
 
 }  // namespace cell::planner

@@ -19,17 +19,22 @@ double Rounded(double value) {
 
 }  // namespace
 
-PlanSearch::PlanSearch(const Domain& domain, Goal goal, const Params& params)
-    : goal_(std::move(goal)),
+PlanSearch::PlanSearch(Problem problem, const Params& params)
+    : problem_(std::move(problem)),
       params_(params),
-      space_(domain, params.agent, params.blocked) {}
+      space_(problem_.rules, problem_.agent, problem_.blocked) {}
+
+SolverMaker PlanSearch::Maker(const Params& params) {
+  return [params](Problem problem) {
+    return std::make_unique<PlanSearch>(std::move(problem), params);
+  };
+}
 
 Plan PlanSearch::Find(const State& state) {
   Plan plan = Solve(state.UnknownAsFalse());
   const bool is_surely_reached = std::all_of(
-      goal_.literals.begin(), goal_.literals.end(), [&](const Literal& l) {
-        return MustHold(l, {}, state, domain().vocabulary());
-      });
+      problem_.goal.literals.begin(), problem_.goal.literals.end(),
+      [&](const Literal& l) { return MustHold(l, {}, state, vocabulary()); });
   if (plan.result == Plan::Result::kGoalReached && !is_surely_reached) {
     plan.result = Plan::Result::kUndecided;
     plan.reason = WhyUndecided(state);
@@ -83,7 +88,7 @@ std::optional<int> PlanSearch::Enter(const State& state) {
 }
 
 bool PlanSearch::IsReached(const State& state) const {
-  return MayHold(goal_.literals, {}, state, domain().vocabulary());
+  return MayHold(problem_.goal.literals, {}, state, vocabulary());
 }
 
 std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
@@ -142,10 +147,10 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
 
 Excuse PlanSearch::WhyNoPlan(const State& state) {
   // Looked up anew, since the questions of an excuse may fill the space.
-  StateSpace space(domain(), params_.agent, params_.blocked);
+  StateSpace space(problem_.rules, problem_.agent, problem_.blocked);
   const std::optional<int> s = space.Enter(state, params_.max_states);
   if (!s) return {"too many states to explain", {}};
-  return ExplainNoPlan(space, *s, goal_,
+  return ExplainNoPlan(space, *s, problem_.goal,
                        [this](const State& other) { return Solve(other); });
 }
 
@@ -153,7 +158,7 @@ std::string PlanSearch::WhyUndecided(const State& state) const {
   const std::vector<int> unknown = state.UnknownAtoms();
   std::string names;
   for (size_t i = 0; i < unknown.size() && i < kMaxNamedUnknowns; ++i) {
-    names += (i > 0 ? ", " : "") + domain().vocabulary().AtomName(unknown[i]);
+    names += (i > 0 ? ", " : "") + vocabulary().AtomName(unknown[i]);
   }
   if (unknown.size() > kMaxNamedUnknowns) {
     names += fmt::format(" and {} more", unknown.size() - kMaxNamedUnknowns);

@@ -1,37 +1,28 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "services/planner/excuse.h"
 #include "services/planner/goal_values.h"
-#include "services/planner/plan.h"
+#include "services/planner/solver.h"
 #include "services/planner/state_space.h"
 
 namespace cell::planner {
 
-/// Finds the best way to one goal from any state (section VIII-A). What was
-/// found out about states is kept for later questions.
-class PlanSearch {
+/// Value iteration over all states that can be reached.
+class PlanSearch final : public Solver {
  public:
   struct Params {
-    Agent agent = Agent::kPerson;    ///< who acts
-    std::set<GroundAction> blocked;  ///< not to be counted on
     /// More reachable states than these: undecided. 100 bytes to 1 kB each.
     int max_states = 100'000;
   };
 
-  /// `domain` must outlive this object.
-  PlanSearch(const Domain& domain, Goal goal, const Params& params);
+  PlanSearch(Problem problem, const Params& params);
+  static SolverMaker Maker(const Params& params);
 
-  /// Unknown atoms are taken as false; if there is no plan then but might be
-  /// one were they otherwise, the result is undecided.
-  Plan Find(const State& state);
-
-  const Domain& domain() const { return space_.domain(); }
-  const Params& params() const { return params_; }
+  Plan Find(const State& state) override;
   int num_states() const { return space_.size(); }
 
  private:
@@ -45,7 +36,9 @@ class PlanSearch {
   Excuse WhyNoPlan(const State& state);
   std::string WhyUndecided(const State& state) const;
 
-  Goal goal_;
+  const Vocabulary& vocabulary() const { return problem_.rules->vocabulary(); }
+
+  Problem problem_;
   Params params_;
   StateSpace space_;
   GoalValues values_;

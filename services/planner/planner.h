@@ -1,9 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -15,30 +13,19 @@
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
-#include "common/relational/domain.h"
-#include "services/planner/executor.h"
-#include "services/planner/monitor.h"
-#include "services/planner/unseen_changes.h"
+#include "services/planner/decision_maker.h"
 
 namespace cell::planner {
 
-/// The decision maker (sections VII-B, VIII-A), for the goal that EPISODE or
-/// COMMAND_GOAL names. Of a person's episode: PREDICATES, ACTION -> PLAN,
-/// ALERT. Of the robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE ->
-/// SKILL_REQUEST, SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since
-/// what fails is the robot's own.
+/// The decision maker as a service, for the goal that EPISODE or COMMAND_GOAL
+/// names. Of a person's episode: PREDICATES, ACTION -> PLAN, ALERT. Of the
+/// robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE -> SKILL_REQUEST,
+/// SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since what fails is
+/// the robot's own.
 class Planner final : public Service {
  public:
-  struct Params {
-    Domain domain;
-    PlanSearch::Params search;
-    Monitor::Params monitor;
-    UnseenChanges::Params unseen;
-    Executor::Params executor;
-  };
-
   /// `bus` must outlive this object.
-  Planner(Bus& bus, Params params);
+  Planner(Bus& bus, std::unique_ptr<DecisionMaker> decision_maker);
 
  private:
   bool OnEpisode(const episode_t& message);
@@ -48,28 +35,11 @@ class Planner final : public Service {
   bool OnAction(const action_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
-  void Begin(Agent agent, const Goal& goal, const episode_t& episode);
-  void Watch(const Goal& goal);
-  void RequestSense();
-  std::string NoGoal(const std::string& name) const;
-  void Complain(int8_t cause, const std::string& text);
-  void Decide();
-  void LookForUnseen();
-  void EndUnseen();
-  void TellUnseen(const std::vector<std::string>& texts);
-  void Publish(const Monitor::Report& report);
-  void Publish(const Execution& execution);
+  Instant Now() const { return {bus_.now(), bus_.tick()}; }
+  void Publish(const Decisions& decisions);
 
   Bus& bus_;
-  Params params_;
-  std::optional<Monitor> monitor_;        // of a person's episode
-  std::optional<UnseenChanges> unseen_;   // of the same
-  std::optional<Executor> executor_;      // of the robot's
-  std::optional<int64_t> complained_of_;  // episode
-  bool is_running_ = false;               // an episode
-  bool may_act_ = false;
-  int64_t start_utime_ = 0;           // of the episode
-  std::optional<int64_t> end_utime_;  // of the last one, until all is told
+  std::unique_ptr<DecisionMaker> decision_maker_;
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

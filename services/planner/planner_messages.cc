@@ -46,14 +46,30 @@ int8_t CodeOf(Plan::Result result) {
   return plan_t::UNDECIDED;
 }
 
+int8_t CodeOf(Alert::Cause cause) {
+  switch (cause) {
+    case Alert::Cause::kLongerPlan:
+      return alert_t::LONGER_PLAN;
+    case Alert::Cause::kNoPlan:
+      return alert_t::NO_PLAN;
+    case Alert::Cause::kUnexplained:
+      return alert_t::UNSEEN;
+    case Alert::Cause::kStuck:
+      return alert_t::STUCK;
+    case Alert::Cause::kBadInput:
+      return alert_t::BAD_INPUT;
+  }
+  return alert_t::BAD_INPUT;
+}
+
 std::vector<plan_step_t> ToMessages(const std::vector<PlanStep>& steps,
-                                    const Domain& domain) {
+                                    const RuleSet& rules) {
   std::vector<plan_step_t> messages;
   for (const PlanStep& step : steps) {
     plan_step_t& message = messages.emplace_back();
-    message.action = domain.actions()[step.action.action].name;
+    message.action = rules.ActionOf(step.action).name;
     for (const int object : step.action.arguments) {
-      message.arguments.push_back(domain.vocabulary().objects()[object].name);
+      message.arguments.push_back(rules.vocabulary().objects()[object].name);
     }
     message.num_arguments = static_cast<int32_t>(message.arguments.size());
     message.probability = step.probability;
@@ -64,9 +80,18 @@ std::vector<plan_step_t> ToMessages(const std::vector<PlanStep>& steps,
 
 }  // namespace
 
+std::optional<Episode> FromMessage(const episode_t& message) {
+  if (message.phase != episode_t::START &&
+      message.phase != episode_t::RUNNING) {
+    return std::nullopt;
+  }
+  return Episode{message.id, message.header.utime,
+                 message.phase == episode_t::RUNNING, message.agent,
+                 message.goal};
+}
+
 std::optional<SensedState> FromMessage(const predicates_t& message,
-                                       const Domain& domain) {
-  const Vocabulary& vocabulary = domain.vocabulary();
+                                       const Vocabulary& vocabulary) {
   SensedState sensed{message.key_frame, message.header.utime,
                      State(vocabulary.num_atoms())};
   if (message.key_frame < 0) return std::nullopt;
@@ -84,8 +109,8 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
 }
 
 std::optional<DoneAction> FromMessage(const action_t& message,
-                                      const Domain& domain) {
-  const std::optional<int> part = domain.vocabulary().FindObject(message.part);
+                                      const RuleSet& rules) {
+  const std::optional<int> part = rules.vocabulary().FindObject(message.part);
   constexpr int64_t kMaxUtime = int64_t{1} << 60;  // sums stay in range
   if (!part || message.index < 0 || message.header.utime < 0 ||
       message.header.utime > kMaxUtime || message.pick_key_frame < 0 ||
@@ -103,18 +128,18 @@ std::optional<DoneAction> FromMessage(const action_t& message,
                     "moving " + message.part,
                     message.pick_utime};
   if (message.kind == action_t::UNKNOWN) return action;
-  const auto ground = domain.FindGroundAction(message.name, message.arguments);
+  const auto ground = rules.FindGroundAction(message.name, message.arguments);
   if (!ground) return std::nullopt;
   action.objects.insert(action.objects.end(), ground->arguments.begin(),
                         ground->arguments.end());
-  action.text = domain.Show(*ground);
+  action.text = rules.Show(*ground);
   if (message.kind == action_t::FORWARD) return action;
   if (message.kind != action_t::REVERSED) return std::nullopt;
   action.text = "taking back " + action.text;
   return action;
 }
 
-plan_t ToMessage(const Monitor::PlanOfState& of_state, const Domain& domain) {
+plan_t ToMessage(const PlanOfState& of_state, const RuleSet& rules) {
   const Plan& plan = of_state.plan;
   plan_t message{};
   message.header.utime = of_state.utime;
@@ -123,19 +148,20 @@ plan_t ToMessage(const Monitor::PlanOfState& of_state, const Domain& domain) {
   message.reason = plan.reason;
   message.probability = plan.probability;
   message.expected_actions = plan.expected_actions;
-  message.steps = ToMessages(plan.steps, domain);
+  message.steps = ToMessages(plan.steps, rules);
   message.num_steps = static_cast<int32_t>(message.steps.size());
-  message.next = ToMessages(plan.next, domain);
+  message.next = ToMessages(plan.next, rules);
   message.num_next = static_cast<int32_t>(message.next.size());
   return message;
 }
 
 alert_t ToMessage(const Alert& alert) {
-  const bool is_error = alert.cause == Alert::Cause::kNoPlan;
   alert_t message{};
   message.header.utime = alert.utime;
+  message.cause = CodeOf(alert.cause);
+  const bool is_error = alert.cause == Alert::Cause::kNoPlan ||
+                        alert.cause == Alert::Cause::kBadInput;
   message.level = is_error ? alert_t::ERROR : alert_t::WARNING;
-  message.cause = is_error ? alert_t::NO_PLAN : alert_t::LONGER_PLAN;
   message.text = alert.text;
   return message;
 }

@@ -4,23 +4,27 @@
 
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/episode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
-#include "common/relational/domain.h"
-#include "services/planner/monitor.h"
+#include "common/relational/rule_set.h"
+#include "services/planner/decision_maker.h"
 
 namespace cell::planner {
 
-/// Nothing if an atom is not of the domain, comes twice, or has an unknown
+/// Nullopt unless it begins or runs.
+std::optional<Episode> FromMessage(const episode_t& message);
+
+/// Nullopt if an atom is not of the vocabulary, comes twice, or has an unknown
 /// code. Atoms that are not listed are unknown.
 std::optional<SensedState> FromMessage(const predicates_t& message,
-                                       const Domain& domain);
+                                       const Vocabulary& vocabulary);
 
-/// Nothing if names, arguments, codes or key frames cannot be.
+/// Nullopt if names, arguments, codes or key frames cannot be.
 std::optional<DoneAction> FromMessage(const action_t& message,
-                                      const Domain& domain);
+                                      const RuleSet& rules);
 
-plan_t ToMessage(const Monitor::PlanOfState& plan, const Domain& domain);
+plan_t ToMessage(const PlanOfState& plan, const RuleSet& rules);
 alert_t ToMessage(const Alert& alert);
 
 }  // namespace cell::planner

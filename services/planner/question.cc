@@ -11,31 +11,30 @@ namespace {
 
 constexpr auto kReachable = Predicate::Report::kReachable;
 
-bool IsForReach(const Wish& wish, const Vocabulary& vocabulary) {
-  const GroundAtom atom = vocabulary.Atom(wish.atom);
+bool IsForReach(const RequiredChange& change, const Vocabulary& vocabulary) {
+  const GroundAtom atom = vocabulary.Atom(change.atom);
   return vocabulary.predicates()[atom.predicate].report == kReachable &&
-         wish.truth == Truth::kTrue;
+         change.truth == Truth::kTrue;
 }
 
 /// "of both arms", or of which one.
-std::string OutOfWhoseReach(const GroundAtom& wished, const State& state,
+std::string OutOfWhoseReach(const GroundAtom& atom, const State& state,
                             const Vocabulary& vocabulary) {
-  const auto& types = vocabulary.predicates()[wished.predicate].argument_types;
+  const auto& types = vocabulary.predicates()[atom.predicate].argument_types;
   const std::vector<int>& arms = vocabulary.ObjectsOf(types[0]);
   const bool is_in_none = std::all_of(arms.begin(), arms.end(), [&](int arm) {
-    const std::vector<int> objects = {arm, wished.objects[1]};
-    const auto atom = vocabulary.AtomIndex(wished.predicate, objects);
-    return !atom || state.Get(*atom) != Truth::kTrue;
+    const std::vector<int> objects = {arm, atom.objects[1]};
+    const auto other = vocabulary.AtomIndex(atom.predicate, objects);
+    return !other || state.Get(*other) != Truth::kTrue;
   });
   if (is_in_none && arms.size() == 2) return "both arms";
   if (is_in_none && arms.size() > 2) return "all arms";
-  return fmt::format("the {} arm",
-                     vocabulary.objects()[wished.objects[0]].name);
+  return fmt::format("the {} arm", vocabulary.objects()[atom.objects[0]].name);
 }
 
-std::string AskForReach(const Wish& wish, const State& state,
+std::string AskForReach(const RequiredChange& change, const State& state,
                         const Vocabulary& vocabulary) {
-  const GroundAtom atom = vocabulary.Atom(wish.atom);
+  const GroundAtom atom = vocabulary.Atom(change.atom);
   return fmt::format("{} is out of reach of {}: please move it into reach",
                      vocabulary.objects()[atom.objects[1]].name,
                      OutOfWhoseReach(atom, state, vocabulary));
@@ -43,56 +42,56 @@ std::string AskForReach(const Wish& wish, const State& state,
 
 /// Names what a person has to see to, and nothing else. What is to be moved
 /// into reach cannot be judged otherwise before it is.
-std::string AskForWishes(const Plan& no_plan, const State& state,
-                         const Domain& domain) {
-  const Vocabulary& vocabulary = domain.vocabulary();
+std::string AskForChanges(const Plan& no_plan, const State& state,
+                          const Vocabulary& vocabulary) {
   std::vector<std::string> sentences;
   std::set<int> out_of_reach;
-  for (const Wish& wish : no_plan.needed) {
-    if (!IsForReach(wish, vocabulary)) continue;
-    sentences.push_back(AskForReach(wish, state, vocabulary));
-    out_of_reach.insert(vocabulary.Atom(wish.atom).objects[1]);
+  for (const RequiredChange& change : no_plan.needed) {
+    if (!IsForReach(change, vocabulary)) continue;
+    sentences.push_back(AskForReach(change, state, vocabulary));
+    out_of_reach.insert(vocabulary.Atom(change.atom).objects[1]);
   }
-  for (const Wish& wish : no_plan.needed) {
-    const std::vector<int> objects = vocabulary.Atom(wish.atom).objects;
+  for (const RequiredChange& change : no_plan.needed) {
+    const std::vector<int> objects = vocabulary.Atom(change.atom).objects;
     const bool is_told = std::ranges::any_of(
         objects, [&](int object) { return out_of_reach.contains(object); });
-    if (!is_told) sentences.push_back(wish.why);
+    if (!is_told) sentences.push_back(change.why);
   }
   return sentences.empty() ? no_plan.reason
                            : fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 std::string AskAfterFailures(const GroundAction& action,
-                             const Attempts::Entry& attempts,
-                             const Domain& domain) {
-  // Only what arms do is tried.
-  const std::string& arm =
-      domain.vocabulary().objects()[domain.SkillOf(action)->arm].name;
+                             const FailureHistory::Entry& failed,
+                             const RuleSet& rules) {
+  const std::optional<GroundSkill> skill = rules.SkillOf(action);
+  const std::string by_arm =
+      skill
+          ? " by the " + rules.vocabulary().objects()[skill->arm].name + " arm"
+          : "";
   return fmt::format(
-      "{} by the {} arm has failed {} times: {}; please do it, or change what "
-      "hinders it",
-      domain.Show(action), arm, attempts.count, attempts.reason);
+      "{}{} has failed {} times: {}; please do it, or change what hinders it",
+      rules.Show(action), by_arm, failed.count, failed.reason);
 }
 
 }  // namespace
 
-std::string AskForHelp(const Plan& no_plan, const State& state,
-                       PlanSearch unblocked, const Attempts& attempts) {
-  const Domain& domain = unblocked.domain();
-  if (!attempts.Blocked().empty()) {
-    const Plan plan = unblocked.Find(state);
-    const Attempts::Entry* failed =
-        plan.steps.empty() ? nullptr : attempts.Of(plan.steps[0].action);
+std::string AskForHelp(const CurrentPlan& plan, const State& state,
+                       const FailureHistory& failures) {
+  if (!failures.Blocked().empty()) {
+    const Plan unblocked = plan.FindUnblocked(state);
+    const FailureHistory::Entry* failed =
+        unblocked.steps.empty() ? nullptr
+                                : failures.Of(unblocked.steps[0].action);
     if (failed != nullptr) {
-      return AskAfterFailures(plan.steps[0].action, *failed, domain);
+      return AskAfterFailures(unblocked.steps[0].action, *failed, plan.rules());
     }
   }
-  return AskForWishes(no_plan, state, domain);
+  return AskForChanges(plan.get(), state, plan.rules().vocabulary());
 }
 
-std::string AskForStep(const GroundAction& action, const Domain& domain) {
-  return "please do " + domain.Show(action);
+std::string AskForStep(const GroundAction& action, const RuleSet& rules) {
+  return "please do " + rules.Show(action);
 }
 
 }  // namespace cell::planner

@@ -5,10 +5,10 @@
 
 namespace cell::planner {
 
-StateSpace::StateSpace(const Domain& domain, Agent agent,
+StateSpace::StateSpace(std::shared_ptr<const RuleSet> rules, Agent agent,
                        const std::set<GroundAction>& blocked)
-    : domain_(domain), agent_(agent) {
-  for (const GroundAction& action : domain.GroundActions(agent)) {
+    : rules_(std::move(rules)), agent_(agent) {
+  for (const GroundAction& action : rules_->GroundActions(agent)) {
     if (!blocked.contains(action)) actions_.push_back(action);
   }
 }
@@ -38,8 +38,8 @@ std::vector<StateSpace::Choice> StateSpace::ChoicesIn(int state) {
   const bool has_unknown = states_[state].HasUnknown();
   for (size_t i = 0; i < actions_.size(); ++i) {
     const auto covers =
-        CoversOf(domain_.actions()[actions_[i].action], actions_[i].arguments,
-                 states_[state], domain_.vocabulary(), agent_);
+        CoversOf(rules_->ActionOf(actions_[i]), actions_[i].arguments,
+                 states_[state], rules_->vocabulary(), agent_);
     // Of several rules one may be right if something is unknown.
     if (covers.size() > 1 && !has_unknown) continue;
     for (const Cover& cover : covers) {
@@ -51,13 +51,12 @@ std::vector<StateSpace::Choice> StateSpace::ChoicesIn(int state) {
 }
 
 StateSpace::Choice StateSpace::Try(int action, const Cover& cover, int state) {
-  const NdrRule& rule =
-      domain_.actions()[actions_[action].action].rules[cover.rule];
+  const NdrRule& rule = rules_->ActionOf(actions_[action]).rules[cover.rule];
   Choice choice{action, rule.noise, {}};
   for (const Outcome& outcome : rule.outcomes) {
     if (outcome.probability == 0) continue;
     const int after = IndexOf(
-        After(outcome, cover.binding, states_[state], domain_.vocabulary()));
+        After(outcome, cover.binding, states_[state], rules_->vocabulary()));
     if (after == state) {
       choice.stay += outcome.probability;
       continue;

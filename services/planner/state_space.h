@@ -1,11 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <unordered_map>
 #include <vector>
 
-#include "common/relational/domain.h"
+#include "common/relational/rule_set.h"
 
 namespace cell::planner {
 
@@ -25,8 +26,8 @@ class StateSpace {
     std::vector<Move> moves;  ///< each state once
   };
 
-  /// `domain` must outlive this object. The `blocked` actions are left out.
-  StateSpace(const Domain& domain, Agent agent,
+  /// The `blocked` actions are left out.
+  StateSpace(std::shared_ptr<const RuleSet> rules, Agent agent,
              const std::set<GroundAction>& blocked = {});
 
   /// Adds the state and all that can be reached from it. Returns its index;
@@ -41,7 +42,7 @@ class StateSpace {
     return choices_[state];
   }
   const std::vector<GroundAction>& actions() const { return actions_; }
-  const Domain& domain() const { return domain_; }
+  const RuleSet& rules() const { return *rules_; }
   Agent agent() const { return agent_; }
 
   /// Ascending, the state itself among them.
@@ -56,7 +57,7 @@ class StateSpace {
   std::vector<Choice> ChoicesIn(int state);
   Choice Try(int action, const Cover& cover, int state);
 
-  const Domain& domain_;
+  std::shared_ptr<const RuleSet> rules_;
   Agent agent_;
   std::vector<GroundAction> actions_;
   std::vector<State> states_;

@@ -26,10 +26,14 @@ struct Cranfield {
     domain->PassOverGeometry();
     domain->PassOverSec();
     config.Finish();
+    rules = RuleSet::FromDomain(*domain);
   }
 
+  Problem ProblemOf(Agent agent) const {
+    return {rules, *domain->FindGoal("assembled"), agent};
+  }
   PlanSearch Search() const {
-    return PlanSearch(*domain, *domain->FindGoal("assembled"), {});
+    return PlanSearch(ProblemOf(Agent::kPerson), {});
   }
 
   int Atom(const std::string& name) const {
@@ -114,6 +118,7 @@ struct Cranfield {
   }
 
   std::unique_ptr<Domain> domain;
+  std::shared_ptr<const RuleSet> rules;
 };
 
 }  // namespace cell

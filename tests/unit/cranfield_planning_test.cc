@@ -153,9 +153,7 @@ class CranfieldRobot : public CranfieldPlanning {
   }
 
   State start_ = cranfield_.StartWithin("right");
-  PlanSearch robot_{*cranfield_.domain,
-                    *cranfield_.domain->FindGoal("assembled"),
-                    {Agent::kRobot, {}, 100'000}};
+  PlanSearch robot_{cranfield_.ProblemOf(Agent::kRobot), {}};
 };
 
 TEST_F(CranfieldRobot, PlacesNinePartsThatTheInsertingArmReaches) {
@@ -234,7 +232,7 @@ class CranfieldRules : public CranfieldPlanning {
  protected:
   /// What a person can bring about from the start, one action at a time.
   std::vector<State> ReachableStates() {
-    StateSpace space(*cranfield_.domain, Agent::kPerson);
+    StateSpace space(cranfield_.rules, Agent::kPerson);
     const State lying = cranfield_.With(
         cranfield_.Start(), {"Horizontal(shaft)", "Horizontal(square_peg_1)"});
     space.Enter(lying, 100'000);

@@ -17,20 +17,24 @@ using testing::HasSubstr;
 /// A person at the task: states at key frames, actions with pick and place.
 class Watched : public testing::Test {
  protected:
-  Watched() : monitor_(cranfield_.Search(), {}) { Sense(state_); }
+  Watched() : monitor_(cranfield_.rules, MakeSearch(), {}) { Sense(state_); }
 
+  std::unique_ptr<Solver> MakeSearch() const {
+    return std::make_unique<PlanSearch>(cranfield_.ProblemOf(Agent::kPerson),
+                                        PlanSearch::Params{});
+  }
   /// A key frame at which `state` is sensed.
   void Sense(const State& state) {
     state_ = state;
-    Keep(monitor_.Take(SensedState{++frame_, frame_ * 1000, state}));
+    Keep(monitor_.Update(SensedState{++frame_, frame_ * 1000, state}));
   }
   /// The action was made from the key frame `pick` to the last one.
   void Report(const std::string& text, const std::vector<int>& objects,
               int64_t pick) {
-    Keep(monitor_.Take(
+    Keep(monitor_.Update(
         DoneAction{++index_, frame_ * 1000, pick, frame_, objects, text}));
   }
-  void Keep(const Monitor::Report& report) {
+  void Keep(const Decisions& report) {
     if (report.plan) plans_.push_back(*report.plan);
     alerts_.insert(alerts_.end(), report.alerts.begin(), report.alerts.end());
   }
@@ -76,7 +80,7 @@ class Watched : public testing::Test {
   State state_ = cranfield_.Start();
   int64_t frame_ = -1;
   int64_t index_ = -1;
-  std::vector<Monitor::PlanOfState> plans_;
+  std::vector<PlanOfState> plans_;
   std::vector<Alert> alerts_;
 };
 
@@ -228,12 +232,12 @@ TEST_F(Watched, AnActionMayComeBeforeItsStateAndTwice) {
   const size_t num_plans = plans_.size();
   const DoneAction back{
       7, 5000, frame_ + 1, frame_ + 2, place.arguments, "taking back"};
-  Keep(monitor_.Take(back));
-  Keep(monitor_.Take(back));
+  Keep(monitor_.Update(back));
+  Keep(monitor_.Update(back));
   EXPECT_EQ(plans_.size(), num_plans);
   Sense(state_);
   Sense(cranfield_.Start());
-  Keep(monitor_.Take(back));
+  Keep(monitor_.Update(back));
   EXPECT_EQ(alerts_.size(), 1u);
   EXPECT_EQ(plans_.size(), num_plans + 1);
 }
@@ -250,23 +254,27 @@ TEST_F(Watched, TheSameStateAgainTellsNothing) {
 TEST_F(Watched, AnOlderStateThatComesLateDoesNotReplaceThePlan) {
   Sense(state_);
   Sense(state_);
-  Keep(monitor_.Take(SensedState{
+  Keep(monitor_.Update(SensedState{
       frame_ + 10, 1, cranfield_.With(state_, {"Horizontal(shaft)"})}));
   const size_t num_plans = plans_.size();
-  Keep(monitor_.Take(SensedState{frame_ + 5, 1, state_}));
+  Keep(monitor_.Update(SensedState{frame_ + 5, 1, state_}));
   EXPECT_EQ(plans_.size(), num_plans);
 }
 
 TEST(Monitor, RemembersNoMoreThanItMay) {
   const Cranfield cranfield;
-  Monitor monitor(cranfield.Search(), {0.5, 4});
+  Monitor monitor(
+      cranfield.rules,
+      std::make_unique<PlanSearch>(cranfield.ProblemOf(Agent::kPerson),
+                                   PlanSearch::Params{}),
+      {0.5, 4});
   for (int64_t i = 0; i < 100; ++i) {
-    monitor.Take(SensedState{i, i, cranfield.Start()});
-    monitor.Take(DoneAction{i, i, i, i + 1'000'000, {}, "moving"});
+    monitor.Update(SensedState{i, i, cranfield.Start()});
+    monitor.Update(DoneAction{i, i, i, i + 1'000'000, {}, "moving"});
   }
   // The state before is forgotten; nothing to compare with, no alert.
   const auto report =
-      monitor.Take(DoneAction{1000, 5, 2, 99, {}, "a long one"});
+      monitor.Update(DoneAction{1000, 5, 2, 99, {}, "a long one"});
   EXPECT_TRUE(report.alerts.empty());
   EXPECT_TRUE(report.plan.has_value());
 }

@@ -14,13 +14,14 @@ namespace {
 using testing::HasSubstr;
 
 /// A domain given as text, with a search for its goal `done`.
-class Problem {
+class Puzzle {
  public:
-  explicit Problem(const std::string& text, int max_states = 100'000)
+  explicit Puzzle(const std::string& text, int max_states = 100'000)
       : domain_(std::make_unique<Domain>(
             Domain::FromConfig(Config::Parse(text, "problem"), PartTable()))),
-        search_(*domain_, *domain_->FindGoal("done"),
-                {Agent::kPerson, {}, max_states}) {}
+        search_({RuleSet::FromDomain(*domain_), *domain_->FindGoal("done"),
+                 Agent::kPerson},
+                {max_states}) {}
 
   State With(const std::vector<std::string>& names) const {
     State state(domain_->vocabulary().num_atoms());
@@ -73,7 +74,7 @@ std::string Edge(const std::string& name, const std::string& from,
 }
 
 TEST(PlanSearch, WaitsOutASelfLoop) {
-  Problem problem(Mdp(Edge("Try", "a", {{0.25, "g"}})));
+  Puzzle problem(Mdp(Edge("Try", "a", {{0.25, "g"}})));
   const Plan plan = problem.Find({"At(a)"});
   EXPECT_EQ(plan.result, Plan::Result::kFound);
   EXPECT_DOUBLE_EQ(plan.probability, 1);
@@ -83,10 +84,10 @@ TEST(PlanSearch, WaitsOutASelfLoop) {
 }
 
 TEST(PlanSearch, PrefersTheSafeLongWayToTheRiskyShortOne) {
-  Problem problem(Mdp(Edge("Jump", "a", {{0.9, "g"}, {0.1, "trap"}}) +
-                      Edge("Walk", "a", {{0.5, "b"}}) +
-                      Edge("Climb", "b", {{0.5, "c"}, {0.5, "a"}}) +
-                      Edge("Rest", "c", {{1, "g"}})));
+  Puzzle problem(Mdp(Edge("Jump", "a", {{0.9, "g"}, {0.1, "trap"}}) +
+                     Edge("Walk", "a", {{0.5, "b"}}) +
+                     Edge("Climb", "b", {{0.5, "c"}, {0.5, "a"}}) +
+                     Edge("Rest", "c", {{1, "g"}})));
   const Plan plan = problem.Find({"At(a)"});
   EXPECT_NEAR(plan.probability, 1, 1e-9);
   // E(a) = 2 + E(b), E(b) = 1 + (1 + E(a)) / 2.
@@ -98,9 +99,9 @@ TEST(PlanSearch, PrefersTheSafeLongWayToTheRiskyShortOne) {
 
 TEST(PlanSearch, AnEndComponentDoesNotPretendToReachTheGoal) {
   // a <-> b for ever keeps an iteration from above at 1; the truth is 0.9.
-  Problem problem(Mdp(Edge("Forth", "a", {{1, "b"}}) +
-                      Edge("Back", "b", {{1, "a"}}) +
-                      Edge("Leave", "b", {{0.9, "g"}, {0.1, "trap"}})));
+  Puzzle problem(Mdp(Edge("Forth", "a", {{1, "b"}}) +
+                     Edge("Back", "b", {{1, "a"}}) +
+                     Edge("Leave", "b", {{0.9, "g"}, {0.1, "trap"}})));
   const Plan plan = problem.Find({"At(a)"});
   EXPECT_NEAR(plan.probability, 0.9, 1e-12);
   EXPECT_NEAR(plan.expected_actions, 2, 1e-9);
@@ -110,15 +111,15 @@ TEST(PlanSearch, AnEndComponentDoesNotPretendToReachTheGoal) {
 TEST(PlanSearch, CountsActionsOnlyOfCoursesThatReachTheGoal) {
   // With .5 each: one action to g, or b, from where .2 reach g and the rest
   // the trap. P = .6; E = (.5 * 1 + .1 * 2) / .6.
-  Problem problem(Mdp(Edge("Throw", "a", {{0.5, "g"}, {0.5, "b"}}) +
-                      Edge("Hope", "b", {{0.2, "g"}, {0.8, "trap"}})));
+  Puzzle problem(Mdp(Edge("Throw", "a", {{0.5, "g"}, {0.5, "b"}}) +
+                     Edge("Hope", "b", {{0.2, "g"}, {0.8, "trap"}})));
   const Plan plan = problem.Find({"At(a)"});
   EXPECT_NEAR(plan.probability, 0.6, 1e-12);
   EXPECT_NEAR(plan.expected_actions, 0.7 / 0.6, 1e-9);
 }
 
 TEST(PlanSearch, ADeadEndHasNoPlan) {
-  Problem problem(Mdp(Edge("Leave", "b", {{1, "g"}})));
+  Puzzle problem(Mdp(Edge("Leave", "b", {{1, "g"}})));
   const Plan plan = problem.Find({"At(trap)"});
   EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
   EXPECT_EQ(plan.probability, 0);
@@ -127,7 +128,7 @@ TEST(PlanSearch, ADeadEndHasNoPlan) {
 }
 
 TEST(PlanSearch, TheGoalIsReachedWithoutSteps) {
-  Problem problem(Mdp(Edge("Leave", "g", {{1, "a"}})));
+  Puzzle problem(Mdp(Edge("Leave", "g", {{1, "a"}})));
   const Plan plan = problem.Find({"At(g)"});
   EXPECT_EQ(plan.result, Plan::Result::kGoalReached);
   EXPECT_EQ(plan.probability, 1);
@@ -144,7 +145,7 @@ TEST(PlanSearch, MoreStatesThanAllowedIsAReasonAndNoHang) {
       "      - {context: [not On(X)], noise: 0,"
       " outcomes: [{probability: 1, effects: [On(X)]}]}\n"
       "goals: {done: [On(z)]}\n";
-  Problem problem(text, 1000);
+  Puzzle problem(text, 1000);
   const Plan plan = problem.Find({});
   EXPECT_EQ(plan.result, Plan::Result::kUndecided);
   EXPECT_THAT(plan.reason, HasSubstr("more than 1000 states"));
@@ -153,7 +154,7 @@ TEST(PlanSearch, MoreStatesThanAllowedIsAReasonAndNoHang) {
 
 // IPPC-2008 triangle-tireworld p01 as rules: known values 1 and 6.25.
 TEST(PlanSearch, TriangleTireworldHasItsKnownValues) {
-  Problem problem(R"yaml(
+  Puzzle problem(R"yaml(
 types: {location: object}
 constants: {l11: location, l12: location, l13: location, l21: location,
             l22: location, l31: location}
@@ -200,7 +201,7 @@ goals: {done: [VehicleAt(l13)]}
 
 // A tower of two with blocks that may explode under what is put on them.
 TEST(PlanSearch, ExplodingBlocksGiveTheBestRisk) {
-  Problem problem(R"yaml(
+  Puzzle problem(R"yaml(
 types: {block: object}
 constants: {a: block, b: block}
 predicates:
@@ -247,7 +248,7 @@ goals: {done: [In(study)]}
 )yaml";
 
 TEST(PlanSearch, SaysWhichPreconditionNothingMakesTrue) {
-  Problem problem(kDoor);
+  Puzzle problem(kDoor);
   const Plan plan = problem.Find({"In(hall)"});
   EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
   EXPECT_EQ(plan.reason,
@@ -257,7 +258,7 @@ TEST(PlanSearch, SaysWhichPreconditionNothingMakesTrue) {
 }
 
 TEST(PlanSearch, NamesEveryPreconditionThatIsMissing) {
-  Problem problem(kDoor);
+  Puzzle problem(kDoor);
   const Plan plan = problem.Find({"In(hall)", "Dark(study)"});
   EXPECT_THAT(plan.reason, HasSubstr("Unlocked(study) is false"));
   EXPECT_THAT(plan.reason,
@@ -267,7 +268,7 @@ TEST(PlanSearch, NamesEveryPreconditionThatIsMissing) {
 }
 
 TEST(PlanSearch, WhatIsUnknownLeavesThePlanUndecidedOnlyIfItMatters) {
-  Problem problem(kDoor);
+  Puzzle problem(kDoor);
   State state = problem.With({"In(hall)"});
   problem.Set(state, "Unlocked(study)", Truth::kUnknown);
   const Plan undecided = problem.search().Find(state);
@@ -284,7 +285,7 @@ TEST(PlanSearch, WhatIsUnknownLeavesThePlanUndecidedOnlyIfItMatters) {
 }
 
 TEST(PlanSearch, AGoalThatIsUnknownIsNotReached) {
-  Problem problem(kDoor);
+  Puzzle problem(kDoor);
   State state = problem.With({"In(hall)"});
   problem.Set(state, "In(study)", Truth::kUnknown);
   EXPECT_EQ(problem.search().Find(state).result, Plan::Result::kUndecided);
@@ -294,8 +295,8 @@ TEST(PlanSearch, AnswersDoNotDependOnEarlierQuestions) {
   const std::string text = Mdp(Edge("Walk", "a", {{0.3, "b"}, {0.3, "c"}}) +
                                Edge("Back", "c", {{0.7, "a"}}) +
                                Edge("Leave", "b", {{0.9, "g"}, {0.1, "a"}}));
-  Problem fresh(text);
-  Problem used(text);
+  Puzzle fresh(text);
+  Puzzle used(text);
   used.Find({"At(c)"});
   used.Find({"At(b)"});
   EXPECT_EQ(fresh.Find({"At(a)"}), used.Find({"At(a)"}));

@@ -249,48 +249,49 @@ TEST_F(PlannerService, WhatWaitsForAnActionIsToldWhenTheEpisodeIsOver) {
 }
 
 TEST_F(PlannerService, RejectsWhatTheDomainDoesNotKnow) {
-  const Domain& domain = *cranfield_.domain;
+  const RuleSet& rules = *cranfield_.rules;
+  const Vocabulary& vocabulary = rules.vocabulary();
   const predicates_t good = Predicates(0, cranfield_.Start());
-  ASSERT_TRUE(FromMessage(good, domain).has_value());
+  ASSERT_TRUE(FromMessage(good, vocabulary).has_value());
   predicates_t bad = good;
   bad.literals[0].predicate = "Shiny";
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
   bad = good;
   bad.literals[0].value = 3;
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
   bad = good;
   bad.literals[0].arguments[0] = "base.round_1";
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
   bad = good;
   bad.literals[0].arguments.push_back("head");
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
   bad = good;
   bad.literals[1] = bad.literals[0];
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
   bad = good;
   bad.key_frame = -1;
-  EXPECT_FALSE(FromMessage(bad, domain).has_value());
+  EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
 
   const action_t action = PlaceShaft(action_t::FORWARD, 0, 2);
-  ASSERT_TRUE(FromMessage(action, domain).has_value());
+  ASSERT_TRUE(FromMessage(action, rules).has_value());
   action_t wrong = action;
   wrong.kind = 3;
-  EXPECT_FALSE(FromMessage(wrong, domain).has_value());
+  EXPECT_FALSE(FromMessage(wrong, rules).has_value());
   wrong = action;
   wrong.part = "spoon";
-  EXPECT_FALSE(FromMessage(wrong, domain).has_value());
+  EXPECT_FALSE(FromMessage(wrong, rules).has_value());
   wrong = action;
   wrong.arguments.pop_back();
-  EXPECT_FALSE(FromMessage(wrong, domain).has_value());
+  EXPECT_FALSE(FromMessage(wrong, rules).has_value());
   wrong = action;
   wrong.pick_key_frame = 5;
-  EXPECT_FALSE(FromMessage(wrong, domain).has_value());
+  EXPECT_FALSE(FromMessage(wrong, rules).has_value());
 }
 
 TEST_F(PlannerService, WhatIsNotListedIsUnknown) {
   predicates_t message = Predicates(0, cranfield_.Start());
   message.literals.pop_back();
-  const auto sensed = FromMessage(message, *cranfield_.domain);
+  const auto sensed = FromMessage(message, cranfield_.rules->vocabulary());
   ASSERT_TRUE(sensed.has_value());
   EXPECT_EQ(sensed->state.UnknownAtoms(),
             std::vector<int>{sensed->state.num_atoms() - 1});

@@ -12,7 +12,7 @@
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "common/bus/stepper.h"
-#include "services/planner/executor_messages.h"
+#include "services/planner/execution_messages.h"
 #include "services/planner/planner.h"
 #include "tests/unit/cranfield_domain.h"
 
@@ -33,7 +33,7 @@ Deployment Shipped() {
           {}};
 }
 
-/// A planner with the latency that it has in the cell. Arms report and
+/// A planner with the latency that it has in the cell. ArmStates report and
 /// predicates are answered by the test.
 class RobotPlanner : public testing::Test {
  protected:
@@ -311,15 +311,15 @@ TEST_F(RobotPlanner, WhoIsWatchedMayBeGivenAnotherGoal) {
 }
 
 TEST_F(RobotPlanner, RejectsForgedReportsAndResults) {
-  const Domain& domain = *cranfield_.domain;
+  const Vocabulary& vocabulary = cranfield_.rules->vocabulary();
   arm_report_t report = Idle("left", {"head", "shaft"});
   report.header.utime = 5;
   report.held = "pendulum";
-  EXPECT_TRUE(FromMessage(report, domain, 5).has_value());
+  EXPECT_TRUE(FromMessage(report, vocabulary, 5).has_value());
   const auto is_report = [&](auto change) {
     arm_report_t forged = report;
     change(forged);
-    return FromMessage(forged, domain, 5).has_value();
+    return FromMessage(forged, vocabulary, 5).has_value();
   };
   using R = arm_report_t;
   EXPECT_FALSE(is_report([](R& r) { r.arm = "middle"; }));
@@ -334,11 +334,11 @@ TEST_F(RobotPlanner, RejectsForgedReportsAndResults) {
   skill_result_t result{};
   result.arm = "right";
   result.peak_force = 12;
-  EXPECT_TRUE(FromMessage(result, domain, 5).has_value());
+  EXPECT_TRUE(FromMessage(result, vocabulary, 5).has_value());
   const auto is_result = [&](auto change) {
     skill_result_t forged = result;
     change(forged);
-    return FromMessage(forged, domain, 5).has_value();
+    return FromMessage(forged, vocabulary, 5).has_value();
   };
   using S = skill_result_t;
   EXPECT_FALSE(is_result([](S& r) { r.arm = "table"; }));

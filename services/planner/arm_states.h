@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "common/relational/state.h"
+#include "common/relational/vocabulary.h"
+
+namespace cell::planner {
+
+/// What an arm says of itself. Objects are the vocabulary's.
+struct ArmState {
+  static constexpr int64_t kIdle = -1;
+  int arm = 0;
+  int64_t utime = 0;        ///< [us]
+  int64_t request = kIdle;  ///< id of the skill that runs
+  std::optional<int> held;
+  std::vector<int> reachable;  ///< parts that it could take where they lie
+};
+
+/// The latest reports of all arms of a domain: the arguments of its reported
+/// predicates.
+class ArmStates {
+ public:
+  explicit ArmStates(std::shared_ptr<const Vocabulary> vocabulary);
+
+  const std::vector<int>& arms() const { return arms_; }
+  void Update(const ArmState& report);
+  /// Nullptr until it has reported.
+  const ArmState* Of(int arm) const;
+  /// Every arm has reported at this time or later.
+  bool HaveReportedSince(int64_t utime) const;
+  bool AreIdle() const;
+
+  /// The state with the reported predicates as they are now; unknown of an arm
+  /// that has not reported. What an arm holds it can reach, the others cannot.
+  State WithReports(State state) const;
+
+ private:
+  Truth IsHeld(int part, int arm) const;
+  Truth IsReachable(int arm, int part) const;
+
+  std::shared_ptr<const Vocabulary> vocabulary_;
+  std::vector<int> arms_;  // ascending
+  std::map<int, ArmState> reports_;
+};
+
+/// The state in which no arm holds or reaches anything, as for a person who is
+/// watched.
+State WithoutArms(State state, const Vocabulary& vocabulary);
+
+}  // namespace cell::planner

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "services/planner/observations.h"
+#include "services/planner/solver.h"
+
+namespace cell::planner {
+
+/// The robot's plan for a goal from the state of now. It is made anew only if
+/// the state, what is blocked, the goal or the rule set is another one.
+class CurrentPlan {
+ public:
+  CurrentPlan(std::shared_ptr<const RuleSet> rules, Goal goal,
+              SolverMaker make_solver);
+
+  const RuleSet& rules() const { return *rules_; }
+  void SetGoal(Goal goal);
+  void SetRules(std::shared_ptr<const RuleSet> rules);
+
+  /// True if get() is what Find() would return.
+  bool IsFor(const State& state, const std::set<GroundAction>& blocked) const;
+  const Plan& Find(const State& state, const std::set<GroundAction>& blocked);
+  /// The one last found, without steps before.
+  const Plan& get() const { return plan_; }
+  /// Had nothing failed yet; not kept.
+  Plan FindUnblocked(const State& state) const;
+
+  /// The plan, found for this, if it is another one than the last reported.
+  std::optional<PlanOfState> TakeIfNew(const SensedState& sensed);
+
+ private:
+  void Forget();
+
+  std::shared_ptr<const RuleSet> rules_;
+  Goal goal_;
+  SolverMaker make_solver_;
+  std::set<GroundAction> blocked_;
+  std::unique_ptr<Solver> solver_;  // of these; made when needed
+  std::optional<State> state_;      // that the plan is for
+  Plan plan_;
+  std::optional<Plan> reported_;
+};
+
+}  // namespace cell::planner

@@ -1,0 +1,100 @@
+#include "services/planner/decision_maker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "services/planner/execute.h"
+
+namespace cell::planner {
+namespace {
+
+std::optional<Agent> FindAgent(const std::string& name) {
+  if (name == "person") return Agent::kPerson;
+  if (name == "robot") return Agent::kRobot;
+  return std::nullopt;
+}
+
+Alert BadInput(std::string text, Instant now) {
+  return {Alert::Cause::kBadInput, now.utime, std::move(text)};
+}
+
+}  // namespace
+
+DecisionMaker::DecisionMaker(std::shared_ptr<const RuleSet> rules,
+                             Params params)
+    : rules_(std::move(rules)),
+      params_(std::move(params)),
+      state_(std::make_unique<Idle>()) {}
+
+DecisionMaker::Answer DecisionMaker::ReplaceRules(
+    std::shared_ptr<const RuleSet> rules) {
+  if (auto refusal = rules->WhyNotReplace(*rules_)) return {std::move(refusal)};
+  rules_ = std::move(rules);
+  return {std::nullopt, state_->SetRules(rules_)};
+}
+
+Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
+  if (episode.has_joined_late && episode_ == episode.id) return {};
+  Decisions out = state_->Conclude(now);
+  state_ = std::make_unique<Idle>();
+  episode_ = episode.id;
+  Decisions begun = Begin(episode, now);
+  out.sense = begun.sense;
+  out.alerts.insert(out.alerts.end(), begun.alerts.begin(), begun.alerts.end());
+  return out;
+}
+
+Decisions DecisionMaker::Begin(const Episode& episode, Instant now) {
+  const std::optional<Agent> agent = FindAgent(episode.agent);
+  if (!agent) {
+    return {.alerts = {
+                BadInput("The agent of an episode is person or robot, not '" +
+                             episode.agent + "'",
+                         now)}};
+  }
+  const Goal* goal = FindGoal(episode.goal);
+  if (goal == nullptr) return {.alerts = {BadInput(NoGoal(episode.goal), now)}};
+  start_utime_ = episode.has_joined_late ? 0 : episode.utime;
+  if (agent == Agent::kRobot) {
+    state_ = std::make_unique<Execute>(rules_, *goal, params_.make_solver,
+                                       params_.execution, may_act_, now);
+    return {};
+  }
+  state_ =
+      std::make_unique<Watch>(rules_, params_.goals, *goal, params_.make_solver,
+                              params_.watch, episode.has_joined_late);
+  // There may be no further key frame.
+  return {.sense = episode.has_joined_late};
+}
+
+void DecisionMaker::OnEpisodeEnd(Instant now) {
+  if (!state_->OnEpisodeEnd(now)) state_ = std::make_unique<Idle>();
+}
+
+DecisionMaker::Answer DecisionMaker::SetGoal(const std::string& name) {
+  const Goal* goal = FindGoal(name);
+  if (goal == nullptr) return {NoGoal(name)};
+  if (!state_->HasGoal()) {
+    return {
+        "no episode runs that could have another goal (cell episode start)"};
+  }
+  return {std::nullopt, state_->SetGoal(*goal)};
+}
+
+void DecisionMaker::SetPermission(bool may_act, Instant now) {
+  may_act_ = may_act;
+  state_->SetPermission(may_act, now);
+}
+
+const Goal* DecisionMaker::FindGoal(const std::string& name) const {
+  const auto it = std::ranges::find(params_.goals, name, &Goal::name);
+  return it == params_.goals.end() ? nullptr : &*it;
+}
+
+std::string DecisionMaker::NoGoal(const std::string& name) const {
+  std::string text = "The task has no goal '" + name + "', but:";
+  for (const Goal& known : params_.goals) text += " " + known.name;
+  return text;
+}
+
+}  // namespace cell::planner

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/planner/decision_state.h"
+#include "services/planner/execution/execution_context.h"
+#include "services/planner/watch.h"
+
+namespace cell::planner {
+
+/// An episode that begins, or that runs when the planner starts.
+struct Episode {
+  int64_t id = 0;
+  int64_t utime = 0;  ///< [us] of its start, unless has_joined_late
+  bool has_joined_late = false;
+  std::string agent;  ///< who is to reach the goal: person or robot
+  std::string goal;   ///< name
+};
+
+/// The decision maker (sections VII-B, VIII-A): one state at a time.
+///
+///     any --episode of a person--> Watch
+///     any --episode of the robot--> Execute --its end--> Idle
+///     any --episode without known agent and goal--> Idle
+///
+/// Watch outlasts the end of its episode, since the last actions are recognised
+/// later. To teach will be a state beside these.
+class DecisionMaker {
+ public:
+  struct Params {
+    std::vector<Goal> goals;  ///< of the task
+    SolverMaker make_solver;
+    Watch::Params watch = {};
+    ExecutionParams execution = {};
+  };
+  /// Refused for a reason, or accepted and what follows from it.
+  struct Answer {
+    std::optional<std::string> refusal = {};
+    Decisions decisions = {};
+  };
+
+  DecisionMaker(std::shared_ptr<const RuleSet> rules, Params params);
+
+  const RuleSet& rules() const { return *rules_; }
+  /// Replaces the rule set while a state goes on; it plans anew by the new one.
+  /// Refused as RuleSet::WhyNotReplace() says.
+  Answer ReplaceRules(std::shared_ptr<const RuleSet> rules);
+
+  Decisions OnEpisode(const Episode& episode, Instant now);
+  void OnEpisodeEnd(Instant now);
+  /// Refused for an unknown name, and if no episode runs.
+  Answer SetGoal(const std::string& name);
+  void SetPermission(bool may_act, Instant now);
+
+  /// True of what was measured before the episode.
+  bool IsOutdated(int64_t utime) const { return utime < start_utime_; }
+  /// Takes all other inputs.
+  DecisionState& state() { return *state_; }
+
+ private:
+  const Goal* FindGoal(const std::string& name) const;
+  std::string NoGoal(const std::string& name) const;
+  Decisions Begin(const Episode& episode, Instant now);
+
+  std::shared_ptr<const RuleSet> rules_;
+  Params params_;
+  std::unique_ptr<DecisionState> state_;
+  bool may_act_ = false;
+  std::optional<int64_t> episode_;  // id of the last that was taken up
+  int64_t start_utime_ = 0;         // of the episode
+};
+
+}  // namespace cell::planner

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include "services/planner/arm_states.h"
+#include "services/planner/decisions.h"
+#include "services/planner/observations.h"
+#include "services/planner/solver.h"
+
+namespace cell::planner {
+
+/// What the decision maker does at a time: nothing, watch a person, execute a
+/// task with the arms. Inputs that a state has no use for are passed over.
+class DecisionState {
+ public:
+  DecisionState() = default;
+  DecisionState(const DecisionState&) = delete;
+  DecisionState& operator=(const DecisionState&) = delete;
+  virtual ~DecisionState() = default;
+
+  virtual Decisions OnSensed(const SensedState&) { return {}; }
+  virtual Decisions OnAction(const DoneAction&) { return {}; }
+  virtual void OnArmState(const ArmState&) {}
+  virtual void OnSkillResult(const SkillResult&) {}
+  /// Whether the cell's mode lets arms begin something.
+  virtual void SetPermission(bool /*may_act*/, Instant) {}
+  /// Replaces the rule set, by which it plans anew at once.
+  virtual Decisions SetRules(std::shared_ptr<const RuleSet>) { return {}; }
+
+  /// True if an episode runs whose goal can be replaced.
+  virtual bool HasGoal() const { return false; }
+  virtual Decisions SetGoal(const Goal&) { return {}; }
+
+  /// Once a tick, after all inputs.
+  virtual Decisions Decide(Instant) { return {}; }
+  /// Once a second, for what is not urgent.
+  virtual Decisions Review(Instant) { return {}; }
+
+  /// The episode has ended. False: nothing is left to do.
+  virtual bool OnEpisodeEnd(Instant) { return false; }
+  /// What remains to be said before another state takes over.
+  virtual Decisions Conclude(Instant) { return {}; }
+};
+
+/// No episode, or none that can be decided about.
+class Idle final : public DecisionState {};
+
+}  // namespace cell::planner

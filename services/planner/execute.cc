@@ -1,0 +1,81 @@
+#include "services/planner/execute.h"
+
+#include <utility>
+
+#include "services/planner/execution/await_rest.h"
+
+namespace cell::planner {
+
+Execute::Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
+                 SolverMaker make_solver, const ExecutionParams& params,
+                 bool may_act, Instant now)
+    : context_{.params = params,
+               .plan = CurrentPlan(rules, goal, std::move(make_solver)),
+               .dispatch = SkillDispatch(rules->shared_vocabulary(),
+                                         params.dispatch, now.utime),
+               .sensing = Sensing(now.utime),
+               .dialogue = Dialogue(params.patience_us),
+               .may_act = may_act},
+      state_(std::make_unique<AwaitRest>()) {}
+
+Decisions Execute::OnSensed(const SensedState& sensed) {
+  context_.sensing.Update(sensed);
+  return {};
+}
+
+Decisions Execute::OnAction(const DoneAction& action) {
+  if (!context_.dialogue.OnAction(action)) return {};
+  context_.sensing.RequireSince(action.utime + context_.params.settle_us);
+  for (const int object : action.objects) {
+    context_.dispatch.failures().ForgetAbout(object);
+  }
+  return {};
+}
+
+void Execute::OnArmState(const ArmState& report) {
+  context_.dispatch.Update(report);
+}
+
+void Execute::OnSkillResult(const SkillResult& result) {
+  const auto ended = context_.dispatch.Update(result);
+  if (ended) OnSkillEnd(*ended);
+}
+
+void Execute::OnSkillEnd(const EndedSkill& ended) {
+  context_.sensing.RequireSince(ended.utime + context_.params.settle_us);
+  state_->OnSkillEnd(ended);
+}
+
+void Execute::SetPermission(bool may_act, Instant now) {
+  if (may_act && !context_.may_act) context_.sensing.RequireSince(now.utime);
+  context_.may_act = may_act;
+}
+
+Decisions Execute::SetRules(std::shared_ptr<const RuleSet> rules) {
+  context_.plan.SetRules(std::move(rules));
+  return {};
+}
+
+Decisions Execute::SetGoal(const Goal& goal) {
+  context_.plan.SetGoal(goal);
+  context_.dispatch.failures().Clear();
+  context_.dialogue.OnGoal();
+  state_ = std::make_unique<AwaitRest>();
+  return {};
+}
+
+Decisions Execute::Decide(Instant now) {
+  Decisions out;
+  for (const EndedSkill& lost : context_.dispatch.EndLostRequests()) {
+    OnSkillEnd(lost);
+  }
+  while (auto next = state_->Step(context_, now, out)) state_ = std::move(next);
+  Dialogue& dialogue = context_.dialogue;
+  if (!out.requests.empty()) dialogue.OnStart();
+  if (!dialogue.is_asking()) {
+    dialogue.Report(state_->Status(context_), now, out);
+  }
+  return out;
+}
+
+}  // namespace cell::planner

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+
+#include "services/planner/decision_state.h"
+#include "services/planner/execution/execution_state.h"
+
+namespace cell::planner {
+
+/// Does a task with the arms (section VIII-A): the first action of the plan is
+/// requested, its end awaited, the state sensed afresh, the plan renewed.
+/// Nothing is remembered of the world, so that a person may do any step
+/// meanwhile, and a planner that is started anew goes on from what it senses
+/// once all arms are idle. If an action has failed too often, another one is
+/// tried, or the person is asked. Its states: execution/execution_state.h.
+class Execute final : public DecisionState {
+ public:
+  Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
+          SolverMaker make_solver, const ExecutionParams& params, bool may_act,
+          Instant now);
+
+  Decisions OnSensed(const SensedState& sensed) override;
+  /// What somebody has moved while a question stood may now go better.
+  Decisions OnAction(const DoneAction& action) override;
+  void OnArmState(const ArmState& report) override;
+  void OnSkillResult(const SkillResult& result) override;
+  void SetPermission(bool may_act, Instant now) override;
+  Decisions SetRules(std::shared_ptr<const RuleSet> rules) override;
+  bool HasGoal() const override { return true; }
+  /// From the end of what runs on.
+  Decisions SetGoal(const Goal& goal) override;
+  Decisions Decide(Instant now) override;
+
+  const ExecutionState& state() const { return *state_; }
+
+ private:
+  void OnSkillEnd(const EndedSkill& ended);
+
+  ExecutionContext context_;
+  std::unique_ptr<ExecutionState> state_;
+};
+
+}  // namespace cell::planner

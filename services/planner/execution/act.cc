@@ -1,0 +1,106 @@
+#include "services/planner/execution/act.h"
+
+#include <algorithm>
+
+#include "services/planner/execution/ask.h"
+#include "services/planner/execution/await_person.h"
+#include "services/planner/execution/clean_up.h"
+#include "services/planner/execution/undecided.h"
+#include "services/planner/outcome_prediction.h"
+#include "services/planner/question.h"
+
+namespace cell::planner {
+namespace {
+
+/// Nullopt if the action is left to the person.
+std::optional<SkillRequest> RequestToArm(const GroundAction& action,
+                                         const ExecutionContext& context) {
+  if (context.params.help_steps.contains(action)) return std::nullopt;
+  return RequestFor(action, context.plan.rules());
+}
+
+/// True if it neither concerns what the other arms work at nor keeps them from
+/// it.
+bool IsIndependent(const GroundAction& action, const SkillRequest& request,
+                   const ExecutionContext& context) {
+  return std::ranges::all_of(
+      context.dispatch.running(), [&](const auto& entry) {
+        const RunningSkill& other = entry.second;
+        return other.action && other.request.part != request.part &&
+               AreIndependent(context.plan.rules(), action, *other.action,
+                              other.before);
+      });
+}
+
+bool MayHandOver(const GroundAction& action, const SkillRequest& request,
+                 const ExecutionContext& context, const State& state) {
+  return MayRunBesideAnother(request) && context.dispatch.IsFree(request.arm) &&
+         !context.dispatch.failures().Blocked().contains(action) &&
+         IsSurelyPossible(context.plan.rules(), action, state) &&
+         IsIndependent(action, request, context);
+}
+
+}  // namespace
+
+NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
+  if (NextState first = Prerequisite(context, now, out)) return first;
+  const State state = context.StateNow();
+  // While something is under way the state may look odd: no new plan for it.
+  if (!context.dispatch.running().empty()) {
+    HandOver(context, state, now, out);
+    return nullptr;
+  }
+  if (context.dialogue.IsPersonAtWork(state, now)) {
+    return std::make_unique<AwaitPerson>();
+  }
+  context.dispatch.failures().Update(state);
+  const Plan& plan =
+      context.plan.Find(state, context.dispatch.failures().Blocked());
+  if (auto changed = context.plan.TakeIfNew(*context.sensing.Fresh())) {
+    out.plan = std::move(changed);
+  }
+  switch (plan.result) {
+    case Plan::Result::kFound:
+      return Begin(context, state, now, out);
+    case Plan::Result::kGoalReached:
+      context.dialogue.OnStart();
+      return std::make_unique<CleanUp>(context.params.dispatch.max_attempts);
+    default:
+      return std::make_unique<Undecided>(state);
+  }
+}
+
+NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
+                     Decisions& out) {
+  const RuleSet& rules = context.plan.rules();
+  const GroundAction& action = context.plan.get().steps.at(0).action;
+  const auto request = RequestToArm(action, context);
+  if (!request) {
+    return std::make_unique<Ask>(
+        state, ExecutionStatus{.state = ExecutionStatus::State::kStuck,
+                               .text = AskForStep(action, rules),
+                               .step = action});
+  }
+  if (!IsSurelyPossible(rules, action, state)) {
+    return std::make_unique<Undecided>(state);
+  }
+  if (!context.dispatch.IsFree(request->arm)) return nullptr;
+  context.dispatch.Start(*request, action, state, now, out);
+  HandOver(context, state, now, out);
+  return nullptr;
+}
+
+/// Lets another arm hand over what the plan needs later.
+void Act::HandOver(ExecutionContext& context, const State& state, Instant now,
+                   Decisions& out) {
+  if (!context.params.parallel) return;
+  for (const PlanStep& step : context.plan.get().steps) {
+    const auto request = RequestToArm(step.action, context);
+    if (!request || !MayHandOver(step.action, *request, context, state)) {
+      continue;
+    }
+    context.dispatch.Start(*request, step.action, state, now, out);
+  }
+}
+
+}  // namespace cell::planner

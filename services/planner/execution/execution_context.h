@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+#include "services/planner/current_plan.h"
+#include "services/planner/dialogue.h"
+#include "services/planner/sensing.h"
+#include "services/planner/skill_dispatch.h"
+
+namespace cell::planner {
+
+struct ExecutionParams {
+  SkillDispatch::Params dispatch = {};
+  /// [us] after the end of a skill until relations and poses show it.
+  int64_t settle_us = 500'000;
+  int64_t sense_period_us = 200'000;    ///< until the estimator is asked again
+  int64_t watch_period_us = 1'000'000;  ///< the same while a person is asked
+  int64_t patience_us = 5'000'000;      ///< with what cannot be decided
+  bool parallel = true;  ///< hand a part over while another is inserted
+  /// Steps that are left to a person, who is asked for them.
+  std::set<GroundAction> help_steps = {};
+};
+
+/// What the states of an execution work with.
+struct ExecutionContext {
+  ExecutionParams params;
+  CurrentPlan plan;
+  SkillDispatch dispatch;
+  Sensing sensing;
+  Dialogue dialogue;
+  bool may_act = false;  ///< the cell's mode lets arms begin something
+
+  /// True if arms may begin something. First it asks arms whose skill was
+  /// cut short to go free.
+  bool MayBegin(Instant now, Decisions& out) {
+    if (!may_act || !dispatch.HaveArmsReported()) return false;
+    if (sensing.IsDue(now)) dispatch.StartGoingFree(now, out);
+    return !dispatch.HasArmToFree();
+  }
+
+  /// What was sensed and what arms report. @pre the sensed state is fresh.
+  State StateNow() const {
+    return dispatch.arms().WithReports(sensing.Fresh()->state);
+  }
+};
+
+}  // namespace cell::planner

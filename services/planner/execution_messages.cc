@@ -1,0 +1,164 @@
+#include "services/planner/execution_messages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cell/motion_permit_t.hpp"
+
+namespace cell::planner {
+namespace {
+
+bool IsTimeUntil(int64_t utime, int64_t now) {
+  return utime >= 0 && utime <= now;
+}
+
+/// The objects of the names; nullopt unless all are known and in order.
+std::optional<std::vector<int>> ObjectsOf(const std::vector<std::string>& names,
+                                          const Vocabulary& vocabulary) {
+  std::vector<int> objects;
+  for (const std::string& name : names) {
+    const std::optional<int> object = vocabulary.FindObject(name);
+    // Objects are in the order of their names.
+    if (!object || (!objects.empty() && *object <= objects.back())) {
+      return std::nullopt;
+    }
+    objects.push_back(*object);
+  }
+  return objects;
+}
+
+std::optional<SkillResult::Outcome> OutcomeOf(int8_t code) {
+  switch (code) {
+    case skill_result_t::SUCCEEDED:
+      return SkillResult::Outcome::kSucceeded;
+    case skill_result_t::REFUSED:
+      return SkillResult::Outcome::kRefused;
+    case skill_result_t::FAILED:
+      return SkillResult::Outcome::kFailed;
+    case skill_result_t::STOPPED:
+      return SkillResult::Outcome::kStopped;
+    case skill_result_t::YIELDED:
+      return SkillResult::Outcome::kYielded;
+    default:
+      return std::nullopt;
+  }
+}
+
+int8_t CodeOf(SkillRequest::Kind kind) {
+  switch (kind) {
+    case SkillRequest::Kind::kInsert:
+      return skill_request_t::INSERT;
+    case SkillRequest::Kind::kPresent:
+      return skill_request_t::PRESENT;
+    case SkillRequest::Kind::kPutDown:
+      return skill_request_t::PUT_DOWN;
+    case SkillRequest::Kind::kGoHome:
+      return skill_request_t::GO_HOME;
+    case SkillRequest::Kind::kGoFree:
+      return skill_request_t::GO_FREE;
+  }
+  return skill_request_t::GO_HOME;
+}
+
+int8_t CodeOf(ExecutionStatus::State state) {
+  switch (state) {
+    case ExecutionStatus::State::kRunning:
+      return execution_t::RUNNING;
+    case ExecutionStatus::State::kDone:
+      return execution_t::DONE;
+    case ExecutionStatus::State::kStuck:
+      return execution_t::STUCK;
+  }
+  return execution_t::STUCK;
+}
+
+literal_t ToMessage(const RequiredChange& change,
+                    const Vocabulary& vocabulary) {
+  const GroundAtom atom = vocabulary.Atom(change.atom);
+  literal_t literal{};
+  literal.predicate = vocabulary.predicates()[atom.predicate].name;
+  for (const int object : atom.objects) {
+    literal.arguments.push_back(vocabulary.objects()[object].name);
+  }
+  literal.num_arguments = static_cast<int32_t>(literal.arguments.size());
+  literal.value =
+      change.truth == Truth::kTrue ? literal_t::TRUE_ : literal_t::FALSE_;
+  return literal;
+}
+
+}  // namespace
+
+std::optional<ArmState> FromMessage(const arm_report_t& message,
+                                    const Vocabulary& vocabulary, int64_t now) {
+  const auto arm = vocabulary.FindObject(message.arm);
+  const auto reachable = ObjectsOf(message.reachable, vocabulary);
+  if (!arm || !reachable || message.request < ArmState::kIdle ||
+      !IsTimeUntil(message.header.utime, now)) {
+    return std::nullopt;
+  }
+  ArmState report{*arm, message.header.utime, message.request, std::nullopt,
+                  *reachable};
+  if (message.held.empty()) return report;
+  report.held = vocabulary.FindObject(message.held);
+  if (!report.held) return std::nullopt;
+  return report;
+}
+
+std::optional<SkillResult> FromMessage(const skill_result_t& message,
+                                       const Vocabulary& vocabulary,
+                                       int64_t now) {
+  const auto arm = vocabulary.FindObject(message.arm);
+  const auto outcome = OutcomeOf(message.outcome);
+  if (!arm || !outcome || message.id < 0 ||
+      !IsTimeUntil(message.header.utime, now) ||
+      !std::isfinite(message.peak_force) || message.peak_force < 0) {
+    return std::nullopt;
+  }
+  return SkillResult{message.id, message.header.utime, *arm, *outcome,
+                     message.reason};
+}
+
+std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
+  const bool is_hold = message.mode == motion_permit_t::HOLD;
+  const bool has_hold = message.hold != motion_permit_t::NONE;
+  if (message.mode < motion_permit_t::IDLE ||
+      message.mode > motion_permit_t::HOLD ||
+      message.hold < motion_permit_t::NONE ||
+      message.hold > motion_permit_t::AT_ONCE || is_hold != has_hold) {
+    return std::nullopt;
+  }
+  return message.mode == motion_permit_t::EXECUTE;
+}
+
+skill_request_t ToMessage(const SkillRequest& request,
+                          const Vocabulary& vocabulary) {
+  const auto& objects = vocabulary.objects();
+  skill_request_t message{};
+  message.id = request.id;
+  message.deadline_utime = request.deadline_utime;
+  message.arm = objects[request.arm].name;
+  message.skill = CodeOf(request.kind);
+  if (request.part) message.part = objects[*request.part].name;
+  if (request.site) message.site = objects[*request.site].name;
+  return message;
+}
+
+execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules) {
+  execution_t message{};
+  message.state = CodeOf(status.state);
+  message.action = status.action;
+  message.text = status.text;
+  for (const RequiredChange& change : status.needed) {
+    message.needed.push_back(ToMessage(change, rules.vocabulary()));
+  }
+  message.num_needed = static_cast<int32_t>(message.needed.size());
+  const auto skill = status.step ? rules.SkillOf(*status.step) : std::nullopt;
+  if (skill && skill->site) {
+    const auto& objects = rules.vocabulary().objects();
+    message.help_part = objects[skill->part].name;
+    message.help_site = objects[*skill->site].name;
+  }
+  return message;
+}
+
+}  // namespace cell::planner

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/planner/plan.h"
+
+namespace cell::planner {
+
+/// How far the robot is.
+struct ExecutionStatus {
+  enum class State { kRunning, kDone, kStuck };
+  State state = State::kRunning;
+  std::string action = {};  ///< being done; empty: none
+  std::string text = {};    ///< kStuck: the question to the person
+  /// kStuck: what would have to be otherwise.
+  std::vector<RequiredChange> needed = {};
+  /// kStuck: the step that is left to a person.
+  std::optional<GroundAction> step = {};
+  bool operator==(const ExecutionStatus&) const = default;
+};
+
+}  // namespace cell::planner

@@ -1,0 +1,46 @@
+#include "services/planner/outcome_prediction.h"
+
+#include <algorithm>
+
+namespace cell::planner {
+
+std::optional<State> MostLikelyOutcome(const RuleSet& rules,
+                                       const GroundAction& action,
+                                       const State& state) {
+  const Action& lifted = rules.ActionOf(action);
+  const State known = state.UnknownAsFalse();
+  const auto covers = CoversOf(lifted, action.arguments, known,
+                               rules.vocabulary(), Agent::kRobot);
+  if (covers.size() != 1) return std::nullopt;
+  const auto& outcomes = lifted.rules[covers[0].rule].outcomes;
+  const auto likeliest = std::max_element(
+      outcomes.begin(), outcomes.end(), [](const Outcome& a, const Outcome& b) {
+        return a.probability < b.probability;
+      });
+  if (likeliest == outcomes.end()) return std::nullopt;
+  return After(*likeliest, covers[0].binding, known, rules.vocabulary());
+}
+
+bool IsSurelyPossible(const RuleSet& rules, const GroundAction& action,
+                      const State& state) {
+  const Action& lifted = rules.ActionOf(action);
+  const Vocabulary& vocabulary = rules.vocabulary();
+  const auto covers =
+      CoversOf(lifted, action.arguments, state, vocabulary, Agent::kRobot);
+  return std::any_of(covers.begin(), covers.end(), [&](const Cover& cover) {
+    const auto& context = lifted.rules[cover.rule].context;
+    return std::all_of(context.begin(), context.end(), [&](const Literal& l) {
+      return MustHold(l, cover.binding, state, vocabulary);
+    });
+  });
+}
+
+bool AreIndependent(const RuleSet& rules, const GroundAction& a,
+                    const GroundAction& b, const State& state) {
+  const auto after_a = MostLikelyOutcome(rules, a, state);
+  const auto after_b = MostLikelyOutcome(rules, b, state);
+  return after_a && after_b && MostLikelyOutcome(rules, b, *after_a) &&
+         MostLikelyOutcome(rules, a, *after_b);
+}
+
+}  // namespace cell::planner

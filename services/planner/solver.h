@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "common/relational/domain.h"
+#include "common/relational/rule_set.h"
+#include "services/planner/plan.h"
+
+namespace cell::planner {
+
+/// What a solver finds plans for.
+struct Problem {
+  std::shared_ptr<const RuleSet> rules;
+  Goal goal;
+  Agent agent = Agent::kPerson;         ///< who acts
+  std::set<GroundAction> blocked = {};  ///< not to be counted on
+};
+
+/// Finds the best plan of one problem from any state (section VIII-A). May keep
+/// what it has found out for later questions; answers do not depend on it.
+class Solver {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver() = default;
+
+  /// Unknown atoms are taken as false; if there is no plan then but might be
+  /// one were they otherwise, the result is undecided.
+  virtual Plan Find(const State& state) = 0;
+};
+
+/// Makes the solver of a problem, with a budget of its own kind.
+using SolverMaker = std::function<std::unique_ptr<Solver>(Problem)>;
+
+}  // namespace cell::planner
