@@ -49,6 +49,14 @@ const ArmState* ArmStates::Of(int arm) const {
   return it == reports_.end() ? nullptr : &it->second;
 }
 
+const SkillTraits* ArmStates::TraitsOf(int arm,
+                                       const std::string& skill) const {
+  const ArmState* report = Of(arm);
+  if (report == nullptr) return nullptr;
+  const auto it = report->skills.find(skill);
+  return it == report->skills.end() ? nullptr : &it->second;
+}
+
 bool ArmStates::HaveReportedSince(int64_t utime) const {
   return std::all_of(arms_.begin(), arms_.end(), [&](int arm) {
     const ArmState* report = Of(arm);

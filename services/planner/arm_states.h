@@ -4,12 +4,20 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/relational/state.h"
 #include "common/relational/vocabulary.h"
 
 namespace cell::planner {
+
+/// What an arm says of a skill that it has.
+struct SkillTraits {
+  bool may_run_beside = false;  ///< while another arm is at work
+  bool hands_over =
+      false;  ///< brings the part to where another arm can take it
+};
 
 /// What an arm says of itself. Objects are the vocabulary's.
 struct ArmState {
@@ -19,6 +27,7 @@ struct ArmState {
   int64_t request = kIdle;  ///< id of the skill that runs
   std::optional<int> held;
   std::vector<int> reachable;  ///< parts that it could take where they lie
+  std::map<std::string, SkillTraits> skills = {};  ///< by name
 };
 
 /// The latest reports of all arms of a domain: the arguments of its reported
@@ -31,6 +40,8 @@ class ArmStates {
   void Update(const ArmState& report);
   /// Nullptr until it has reported.
   const ArmState* Of(int arm) const;
+  /// Nullptr if the arm has not reported such a skill.
+  const SkillTraits* TraitsOf(int arm, const std::string& skill) const;
   /// Every arm has reported at this time or later.
   bool HaveReportedSince(int64_t utime) const;
   bool AreIdle() const;

@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "cell/motion_permit_t.hpp"
+#include "common/skills/skill_arguments.h"
 
 namespace cell::planner {
 namespace {
+
+constexpr size_t kMaxSkills = 100;  // of an arm
 
 bool IsTimeUntil(int64_t utime, int64_t now) {
   return utime >= 0 && utime <= now;
@@ -44,22 +47,6 @@ std::optional<SkillResult::Outcome> OutcomeOf(int8_t code) {
   }
 }
 
-int8_t CodeOf(SkillRequest::Kind kind) {
-  switch (kind) {
-    case SkillRequest::Kind::kInsert:
-      return skill_request_t::INSERT;
-    case SkillRequest::Kind::kPresent:
-      return skill_request_t::PRESENT;
-    case SkillRequest::Kind::kPutDown:
-      return skill_request_t::PUT_DOWN;
-    case SkillRequest::Kind::kGoHome:
-      return skill_request_t::GO_HOME;
-    case SkillRequest::Kind::kGoFree:
-      return skill_request_t::GO_FREE;
-  }
-  return skill_request_t::GO_HOME;
-}
-
 int8_t CodeOf(ExecutionStatus::State state) {
   switch (state) {
     case ExecutionStatus::State::kRunning:
@@ -93,11 +80,16 @@ std::optional<ArmState> FromMessage(const arm_report_t& message,
   const auto arm = vocabulary.FindObject(message.arm);
   const auto reachable = ObjectsOf(message.reachable, vocabulary);
   if (!arm || !reachable || message.request < ArmState::kIdle ||
+      message.skills.size() > kMaxSkills ||
       !IsTimeUntil(message.header.utime, now)) {
     return std::nullopt;
   }
   ArmState report{*arm, message.header.utime, message.request, std::nullopt,
                   *reachable};
+  for (const skill_traits_t& skill : message.skills) {
+    report.skills[skill.name] = {.may_run_beside = skill.may_run_beside != 0,
+                                 .hands_over = skill.hands_over != 0};
+  }
   if (message.held.empty()) return report;
   report.held = vocabulary.FindObject(message.held);
   if (!report.held) return std::nullopt;
@@ -137,9 +129,12 @@ skill_request_t ToMessage(const SkillRequest& request,
   message.id = request.id;
   message.deadline_utime = request.deadline_utime;
   message.arm = objects[request.arm].name;
-  message.skill = CodeOf(request.kind);
-  if (request.part) message.part = objects[*request.part].name;
-  if (request.site) message.site = objects[*request.site].name;
+  message.skill = request.skill;
+  SkillArguments arguments;
+  for (const auto& [name, object] : request.arguments) {
+    arguments[name] = objects[object].name;
+  }
+  SetArguments(arguments, &message);
   return message;
 }
 

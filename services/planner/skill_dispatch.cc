@@ -5,7 +5,7 @@
 
 namespace cell::planner {
 
-using Kind = SkillRequest::Kind;
+using Purpose = SkillRequest::Purpose;
 using Outcome = SkillResult::Outcome;
 
 SkillDispatch::SkillDispatch(std::shared_ptr<const Vocabulary> vocabulary,
@@ -42,7 +42,7 @@ std::vector<EndedSkill> SkillDispatch::EndLostRequests() {
   }
   std::vector<EndedSkill> ended;
   for (const auto& [arm, utime] : lost) {
-    if (running_.at(arm).request.kind != Kind::kGoFree) {
+    if (running_.at(arm).request.purpose != Purpose::kGoFree) {
       to_free_.try_emplace(arm, 0);
     }
     ended.push_back(End(arm, utime, false, true,
@@ -62,7 +62,7 @@ EndedSkill SkillDispatch::End(int arm, int64_t utime, bool has_succeeded,
   if (counts && skill.action) {
     failures_.Add(*skill.action, skill.before, reason);
   }
-  if (counts && skill.request.kind == Kind::kGoFree) {
+  if (counts && skill.request.purpose == Purpose::kGoFree) {
     OnFreed(arm, has_succeeded);
   }
   return ended;
@@ -110,7 +110,7 @@ std::string SkillDispatch::ShowRunning(const RuleSet& rules) const {
   std::string text;
   for (const auto& [arm, skill] : running_) {
     if (!text.empty()) text += ", ";
-    const bool goes_free = skill.request.kind == Kind::kGoFree;
+    const bool goes_free = skill.request.purpose == Purpose::kGoFree;
     text += skill.action ? rules.Show(*skill.action)
                          : rules.vocabulary().objects()[arm].name +
                                (goes_free ? " arm goes free of what it is at"

@@ -1,18 +1,20 @@
 #include "services/planner/skill_request.h"
 
+#include <algorithm>
+
 namespace cell::planner {
 namespace {
 
-SkillRequest::Kind KindOf(Skill::Kind kind) {
+std::string NameOf(Skill::Kind kind) {
   switch (kind) {
     case Skill::Kind::kInsert:
-      return SkillRequest::Kind::kInsert;
+      return "insert";
     case Skill::Kind::kPresent:
-      return SkillRequest::Kind::kPresent;
+      return "present";
     case Skill::Kind::kPutDown:
-      return SkillRequest::Kind::kPutDown;
+      return "put_down";
   }
-  return SkillRequest::Kind::kPutDown;
+  return "";
 }
 
 }  // namespace
@@ -21,23 +23,31 @@ std::optional<SkillRequest> RequestFor(const GroundAction& action,
                                        const RuleSet& rules) {
   const std::optional<GroundSkill> skill = rules.SkillOf(action);
   if (!skill) return std::nullopt;
-  return SkillRequest{.arm = skill->arm,
-                      .kind = KindOf(skill->kind),
-                      .part = skill->part,
-                      .site = skill->site};
+  SkillRequest request{.arm = skill->arm, .skill = NameOf(skill->kind)};
+  request.arguments["part"] = skill->part;
+  if (skill->site) request.arguments["site"] = *skill->site;
+  return request;
 }
 
-bool MayRunBesideAnother(const SkillRequest& request) {
-  return request.kind == SkillRequest::Kind::kPresent;
+bool ShareAnObject(const SkillRequest& a, const SkillRequest& b) {
+  return std::ranges::any_of(a.arguments, [&](const auto& entry) {
+    return std::ranges::any_of(b.arguments, [&](const auto& other) {
+      return other.second == entry.second;
+    });
+  });
 }
 
 SkillRequest RequestToCleanUp(int arm, std::optional<int> held) {
-  using enum SkillRequest::Kind;
-  return {.arm = arm, .kind = held ? kPutDown : kGoHome, .part = held};
+  SkillRequest request{.arm = arm, .purpose = SkillRequest::Purpose::kCleanUp};
+  request.skill = held ? "put_down" : "go_home";
+  if (held) request.arguments["part"] = *held;
+  return request;
 }
 
 SkillRequest RequestToGoFree(int arm) {
-  return {.arm = arm, .kind = SkillRequest::Kind::kGoFree};
+  return {.arm = arm,
+          .purpose = SkillRequest::Purpose::kGoFree,
+          .skill = "go_free"};
 }
 
 }  // namespace cell::planner

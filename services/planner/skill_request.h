@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -10,13 +11,14 @@ namespace cell::planner {
 
 /// What an arm is to do once. Objects are the vocabulary's.
 struct SkillRequest {
-  enum class Kind { kInsert, kPresent, kPutDown, kGoHome, kGoFree };
+  /// What the planner wants it for.
+  enum class Purpose { kAction, kCleanUp, kGoFree };
   int64_t id = 0;  ///< unique in a run, across starts of the planner
   int64_t deadline_utime = 0;  ///< [us] not begun later
   int arm = 0;
-  Kind kind = Kind::kInsert;
-  std::optional<int> part = {};  ///< nothing for kGoHome, kGoFree
-  std::optional<int> site = {};  ///< of kInsert
+  Purpose purpose = Purpose::kAction;
+  std::string skill = {};                     ///< one that the arm reports
+  std::map<std::string, int> arguments = {};  ///< objects by name
 };
 
 /// How a skill ended.
@@ -34,8 +36,8 @@ struct SkillResult {
 std::optional<SkillRequest> RequestFor(const GroundAction& action,
                                        const RuleSet& rules);
 
-/// True if one arm may do it while another one does something else.
-bool MayRunBesideAnother(const SkillRequest& request);
+/// True if both have an object as an argument.
+bool ShareAnObject(const SkillRequest& a, const SkillRequest& b);
 
 /// What an arm does when the goal is reached: it puts down what it holds, and
 /// with an empty hand goes home.

@@ -109,9 +109,8 @@ bool ArmWorker::MustYield(double dt) {
                  SkillRun::kPersonInTheWay)) {
     return true;
   }
-  const bool is_other_there =
-      run_ && run_->stages().is_running() &&
-      arm_.monitor.WouldCollideWithArm(now, way);
+  const bool is_other_there = run_ && run_->stages().is_running() &&
+                              arm_.monitor.WouldCollideWithArm(now, way);
   return ShouldStop(to_arms_.Step(is_other_there, dt),
                     "another arm is in the way");
 }

@@ -13,6 +13,8 @@
 #include "common/kinematics/joint_values.h"
 #include "common/layout/limit_words.h"
 #include "common/sec/track.h"
+#include "common/skills/skill_arguments.h"
+#include "services/robot_arm/skills/skill_catalog.h"
 
 namespace cell::robot_arm {
 namespace {
@@ -48,10 +50,21 @@ std::optional<ArmReading> FromMessage(const arm_state_t& message,
 }
 
 bool IsSame(const arm_report_t& a, const arm_report_t& b) {
-  return a.request == b.request && a.phase == b.phase && a.held == b.held &&
+  return a.request == b.request && a.phase == b.phase &&
+         a.contact == b.contact && a.held == b.held &&
          a.is_frozen == b.is_frozen &&
          a.is_held_by_operator == b.is_held_by_operator &&
          a.reachable == b.reachable;
+}
+
+std::vector<skill_traits_t> TraitsOf(const ArmLayout& arm) {
+  std::vector<skill_traits_t> skills;
+  for (const Skill* skill : SkillsOf(arm.X_FS.has_value())) {
+    const SkillTraits traits = skill->traits();
+    skills.push_back({skill->name(), traits.may_run_beside, traits.hands_over,
+                      traits.needs_force_sensor});
+  }
+  return skills;
 }
 
 }  // namespace
@@ -61,6 +74,7 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
       params_(params),
       name_(params.worker.arm),
       suffix_(ChannelSuffix(name_)),
+      skills_(TraitsOf(*params.worker.layout.FindArm(name_))),
       worker_(std::make_unique<ArmWorker>(params_.worker)) {
   for (const auto& hand : params_.worker.layout.hands) {
     persons_hands_.insert(hand.name);
@@ -128,8 +142,8 @@ bool RobotArm::OnStop(const arm_stop_t& message) {
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
   const auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) return false;
-  worker_->SeeOther(arm, {reading->q, reading->stance, reading->opening},
-                    reading->is_gripping);
+  worker_->UpdateOther(arm, {reading->q, reading->stance, reading->opening},
+                       reading->is_gripping);
   return true;
 }
 
@@ -167,20 +181,16 @@ bool RobotArm::OnTracks(const tracks_t& message) {
       hands.insert(hands.end(), track.points.begin(), track.points.end());
     }
   }
-  worker_->See(poses);
-  worker_->SeeHands(std::move(hands));
+  worker_->UpdateParts(poses);
+  worker_->UpdateHands(std::move(hands));
   return true;
 }
 
 bool RobotArm::OnRequest(const skill_request_t& message) {
   if (message.arm != name_) return true;
-  if (message.skill < skill_request_t::INSERT ||
-      message.skill > skill_request_t::GO_FREE) {
-    return false;
-  }
-  const SkillRequest request{message.id,
-                             static_cast<SkillRequest::Kind>(message.skill),
-                             message.part, message.site};
+  auto arguments = ArgumentsOf(message);
+  if (!arguments) return false;
+  const SkillRequest request{message.id, message.skill, *std::move(arguments)};
   if (bus_.now() > message.deadline_utime) {
     PublishResult(
         {request.id, SkillResult::Outcome::kRefused,
@@ -190,7 +200,7 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
                              static_cast<double>(message.deadline_utime)))});
     return true;
   }
-  worker_->Begin(request, LeaveToMove());
+  worker_->Begin(request, Permission());
   return true;
 }
 
@@ -205,17 +215,16 @@ bool RobotArm::OnPlan(const motion_plan_t& message) {
   return true;
 }
 
-ArmWorker::Leave RobotArm::LeaveToMove() const {
-  using Leave = ArmWorker::Leave;
-  if (!permit_ || bus_.now() > permit_->until_utime) return Leave::kFreeze;
+ArmWorker::MotionPermission RobotArm::Permission() const {
+  using P = ArmWorker::MotionPermission;
+  if (!permit_ || bus_.now() > permit_->until_utime) return P::kFreeze;
   switch (permit_->hold) {
     case motion_permit_t::AT_ONCE:
-      return Leave::kFreeze;
+      return P::kFreeze;
     case motion_permit_t::AT_BOUNDARY:
-      return Leave::kFinish;
+      return P::kFinish;
     default:
-      return permit_->mode == motion_permit_t::EXECUTE ? Leave::kMove
-                                                       : Leave::kFinish;
+      return permit_->mode == motion_permit_t::EXECUTE ? P::kMove : P::kFinish;
   }
 }
 
@@ -225,7 +234,7 @@ void RobotArm::OnTick() {
   reading_->wrench.reset();
   if (bus_.now() - wrench_utime_ <= kFreshUs) reading_->wrench = wrench_;
   reading_->why_stopped = why_stopped_;
-  const ArmCommand command = worker_->Step(*reading_, LeaveToMove(), kTick);
+  const ArmCommand command = worker_->Step(*reading_, Permission(), kTick);
   PublishSetpoint(command);
   for (const MotionRequest& request : worker_->TakeRequests()) {
     motion_request_t message = ToMessage(request);
@@ -244,7 +253,7 @@ void RobotArm::PublishSetpoint(const ArmCommand& command) {
   message.opening = command.opening;
   message.grip = command.grip;
   // The operator has resumed: the cell was held, and is not any more.
-  const bool is_held = LeaveToMove() == ArmWorker::Leave::kFreeze;
+  const bool is_held = Permission() == ArmWorker::MotionPermission::kFreeze;
   message.clear_stop = reading_->is_stopped && was_held_ && !is_held;
   if (is_held || !reading_->is_stopped) was_held_ = is_held;
   bus_.Publish("ARM_SETPOINT_" + suffix_, message);
@@ -266,12 +275,15 @@ void RobotArm::PublishReport() {
   report.header.utime = bus_.now();
   report.arm = name_;
   report.request = worker_->request();
-  report.phase = worker_->phase();
+  report.phase = worker_->phase().name;
+  report.contact = static_cast<int8_t>(worker_->phase().contact);
   report.is_frozen = worker_->is_frozen();
   report.is_held_by_operator = permit_ && permit_->is_held_by_operator;
   report.held = worker_->held();
   report.reachable = worker_->Reachable();
   report.num_reachable = static_cast<int32_t>(report.reachable.size());
+  report.skills = skills_;
+  report.num_skills = static_cast<int32_t>(report.skills.size());
   if (bus_.tick() % kReportPeriod != 0 && IsSame(report, last_report_)) return;
   last_report_ = report;
   bus_.Publish("ARM_REPORT_" + suffix_, report);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
@@ -14,6 +15,7 @@
 #include "cell/motion_permit_t.hpp"
 #include "cell/motion_plan_t.hpp"
 #include "cell/skill_request_t.hpp"
+#include "cell/skill_traits_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/bus/bus.h"
@@ -52,11 +54,12 @@ class RobotArm final : public Service {
   void PublishSetpoint(const ArmCommand& command);
   void PublishResult(const SkillResult& result);
   void PublishReport();
-  ArmWorker::Leave LeaveToMove() const;
+  ArmWorker::MotionPermission Permission() const;
 
   Bus& bus_;
   Params params_;
   std::string name_, suffix_;
+  std::vector<skill_traits_t> skills_;
   std::set<std::string> persons_hands_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work

@@ -11,10 +11,10 @@ struct SafetyDistances {
   double hands_at_work = 0.10;  ///< [m] of hands that move or hold something
   /// [m] So near to these it does not even draw back.
   double hands_too_near = 0.05;
-  double in_hand = 0.015;      ///< [m] nearer than this a hand holds a part
-  double standing_arm = 0.006; ///< [m] of another arm that stands
-  double moving_arm = 0.06;    ///< [m] of another arm that moves
-  double patience = 15;        ///< [s] with people's hands at a place
+  double in_hand = 0.015;       ///< [m] nearer than this a hand holds a part
+  double standing_arm = 0.006;  ///< [m] of another arm that stands
+  double moving_arm = 0.06;     ///< [m] of another arm that moves
+  double patience = 15;         ///< [s] with people's hands at a place
 
   /// @throws ConfigError naming file:key.
   static SafetyDistances FromConfig(const Config& config);

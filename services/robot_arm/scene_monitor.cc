@@ -109,10 +109,11 @@ void SceneMonitor::SetOther(const std::string& arm, const ArmPosture& posture,
 }
 
 bool SceneMonitor::WouldCollideWithArm(const ArmPosture& now,
-                              const WayAhead& way) const {
+                                       const WayAhead& way) const {
   const bool is_moving = std::ranges::any_of(
       others_, [](const auto& other) { return other.second.is_moving; });
-  const double wanted = is_moving ? params_.distances.moving_arm : params_.distances.standing_arm;
+  const double wanted =
+      is_moving ? params_.distances.moving_arm : params_.distances.standing_arm;
   const auto distance = [&](const ArmPosture& posture) {
     return scene_.DistanceToOthers(arm_.name, posture, wanted);
   };
@@ -143,12 +144,13 @@ void SceneMonitor::SetHands(std::vector<Vector3d> points) {
 }
 
 bool SceneMonitor::IsInHand(const std::string& part) const {
-  return shapes_.at(part).DistanceTo(hands_, poses_.at(part), params_.distances.in_hand) <
+  return shapes_.at(part).DistanceTo(hands_, poses_.at(part),
+                                     params_.distances.in_hand) <
          params_.distances.in_hand;
 }
 
 bool SceneMonitor::WouldCollideWithPerson(const ArmPosture& now,
-                               const WayAhead& way) const {
+                                          const WayAhead& way) const {
   if (!is_hand_moving_ && in_hands_.empty()) return false;
   const auto distance = [&](const ArmPosture& posture) {
     return scene_.DistanceTo(hands_, in_hands_, arm_.name, posture,
@@ -159,7 +161,9 @@ bool SceneMonitor::WouldCollideWithPerson(const ArmPosture& now,
   const bool stays = std::ranges::any_of(
       way, [](const auto& ahead) { return !ahead.has_value(); });
   // So near it does not even draw back: who knows where the hand goes.
-  if (before < (stays ? params_.distances.hands_at_work : params_.distances.hands_too_near)) return true;
+  if (before < (stays ? params_.distances.hands_at_work
+                      : params_.distances.hands_too_near))
+    return true;
   return ComesNearer(here, way, before, distance);
 }
 

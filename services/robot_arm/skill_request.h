@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
+
+#include "common/skills/skill_arguments.h"
 
 namespace cell::robot_arm {
 
@@ -10,7 +11,7 @@ namespace cell::robot_arm {
 struct SkillRequest {
   int64_t id = 0;
   std::string skill;
-  std::map<std::string, std::string> arguments;
+  SkillArguments arguments;
 
   /// Empty if it has none of that name.
   std::string Argument(const std::string& name) const {

@@ -52,7 +52,8 @@ class SkillRun {
   void Grasp(const TargetMaker& target = {});
   /// The same, and lifts it.
   void Take(const TargetMaker& target = {});
-  /// To where it is to be put: a request of kPlace or kSetDown for what is held.
+  /// To where it is to be put: a request of kPlace or kSetDown for what is
+  /// held.
   void Carry(std::function<Result<MotionRequest>()> place);
   /// Upright on a free place within the area, and goes home.
   void SetDown(const Eigen::AlignedBox2d& area, bool is_for_other_arm);

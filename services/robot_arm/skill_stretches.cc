@@ -115,8 +115,7 @@ void SkillRun::LetGo() {
       {"let go", Contact::kPartsAndTable},
       [this] {
         arm_.is_releasing = true;
-        return Fingers(arm_.held()->width + 2 * kLetGoMargin,
-                       Until::kReleased);
+        return Fingers(arm_.held()->width + 2 * kLetGoMargin, Until::kReleased);
       },
       [this] { arm_.ForgetHeld(); });
   DrawBack();

@@ -31,8 +31,8 @@ class StageRunner {
   /// Ends the stage that runs; nothing is to come.
   void Clear();
 
-  /// `dt` [s] of the arm's time. After kDone or kFailed there is nothing left to
-  /// run until more is added.
+  /// `dt` [s] of the arm's time. After kDone or kFailed there is nothing left
+  /// to run until more is added.
   Status Step(const ArmReading& reading, double dt, ArmCommand* command);
   /// Looks for another way of the stage that runs, while the arm stands.
   void SeekOtherWay();

@@ -129,7 +129,8 @@ class ReachingParts : public testing::Test {
   }
 
   ShippedMotions cell_;
-  SceneMonitor monitor_{{"right", cell_.task.layout, cell_.task.parts, 0.008, {}}};
+  SceneMonitor monitor_{
+      {"right", cell_.task.layout, cell_.task.parts, 0.008, {}}};
   MotionClient client_;
   ReachableParts parts_{cell_.task.parts, monitor_, client_};
   MotionRequest last_;

@@ -29,7 +29,8 @@ class SceneMonitoring : public testing::Test {
   ShippedMotions cell_;
   const ArmLayout& left_ = cell_.Arm("left");
   const ArmLayout& arm_ = cell_.Arm("right");
-  SceneMonitor monitor_{{"right", cell_.task.layout, cell_.task.parts, 0.008, {}}};
+  SceneMonitor monitor_{
+      {"right", cell_.task.layout, cell_.task.parts, 0.008, {}}};
 };
 
 TEST_F(SceneMonitoring, APartAtAPersonsFingersIsInHand) {
@@ -116,7 +117,8 @@ TEST_F(SceneMonitoring, ItMeetsAnotherArmSoonerIfThatOneMoves) {
   EXPECT_FALSE(monitor_.WouldCollideWithArm(now, {ahead}));
   EXPECT_TRUE(monitor_.WouldCollideWithArm(now, {into}));
   // Away is always free.
-  EXPECT_FALSE(monitor_.WouldCollideWithArm({into, now.grip, now.opening}, {now.q}));
+  EXPECT_FALSE(
+      monitor_.WouldCollideWithArm({into, now.grip, now.opening}, {now.q}));
   ArmPosture moved = other;
   moved.q[5] += 0.01;
   monitor_.SetOther("left", moved, false);

@@ -19,7 +19,7 @@ void AssemblyObserver::Put(const Message& message) {
     const auto request = Decode<skill_request_t>(message);
     if (!request) return;
     ++record_.num_requests;
-    if (request->skill == skill_request_t::INSERT) inserts_.insert(request->id);
+    if (request->skill == "insert") inserts_.insert(request->id);
   } else if (message.channel == "SKILL_RESULT") {
     OnResult(message);
   } else if (message.channel == "EXECUTION") {

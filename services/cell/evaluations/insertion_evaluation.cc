@@ -51,7 +51,8 @@ std::vector<SkillDriver::Wish> Insertions(const Task& task) {
     for (const Part& host : task.parts.parts()) {
       for (const Site& site : host.sites) {
         if (site.type != rule.site_type) continue;
-        wishes.push_back({"", skill_request_t::INSERT, part->name, site.name});
+        wishes.push_back(
+            {"", "insert", {{"part", part->name}, {"site", site.name}}});
       }
     }
   }
@@ -151,9 +152,10 @@ class InsertionEvaluation final : public Evaluation {
         AimError{kAimOffset, kAimAngle, trial.seed}.Of(result ? result->id : 0);
     const AssemblyScore score = observer.Score().value();
     return {
-        {"part", wish.part},
-        {"site", wish.site},
-        {"seated", std::ranges::count(score.seated, wish.site) > 0},
+        {"part", wish.arguments.at("part")},
+        {"site", wish.arguments.at("site")},
+        {"seated",
+         std::ranges::count(score.seated, wish.arguments.at("site")) > 0},
         {"succeeded", result && result->outcome == skill_result_t::SUCCEEDED},
         {"reason", result ? result->reason : "no result"},
         {"requests", observer.record().num_requests},

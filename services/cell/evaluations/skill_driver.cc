@@ -25,14 +25,13 @@ SkillDriver::SkillDriver(Bus& bus, const Params& params)
 void SkillDriver::OnResult(const skill_result_t& result) {
   if (result.id != id_) return;
   is_waiting_ = false;
-  if (result.outcome != skill_result_t::REFUSED ||
-      wish_.skill != skill_request_t::INSERT || params_.helper.empty() ||
-      std::exchange(has_helped_, true)) {
+  if (result.outcome != skill_result_t::REFUSED || wish_.skill != "insert" ||
+      params_.helper.empty() || std::exchange(has_helped_, true)) {
     return;
   }
   params_.wishes.push_front(wish_);
   params_.wishes.push_front(
-      {params_.helper, skill_request_t::PRESENT, wish_.part, ""});
+      {params_.helper, "present", {{"part", wish_.arguments.at("part")}}});
 }
 
 void SkillDriver::OnTick() {
@@ -63,8 +62,7 @@ void SkillDriver::Ask(const Wish& wish) {
   request.deadline_utime = bus_.now() + kDeadlineUs;
   request.arm = wish.arm;
   request.skill = wish.skill;
-  request.part = wish.part;
-  request.site = wish.site;
+  SetArguments(wish.arguments, &request);
   bus_.Publish("SKILL_REQUEST", request);
 }
 

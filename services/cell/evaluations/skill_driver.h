@@ -6,6 +6,7 @@
 
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
+#include "common/skills/skill_arguments.h"
 
 namespace cell::cli {
 
@@ -16,8 +17,8 @@ class SkillDriver final : public Service {
  public:
   struct Wish {
     std::string arm;
-    int8_t skill = 0;  ///< of skill_request_t
-    std::string part, site;
+    std::string skill;
+    SkillArguments arguments;
   };
   struct Params {
     std::deque<Wish> wishes;

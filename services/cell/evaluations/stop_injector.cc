@@ -25,8 +25,8 @@ bool IsAtWork(const arm_report_t& report) {
 }
 
 StoppedSkill SkillOf(const skill_request_t& request, const PartTable& parts) {
-  if (request.skill != skill_request_t::INSERT) return StoppedSkill::kSetDown;
-  const Site* site = parts.FindSite(request.site);
+  if (request.skill != "insert") return StoppedSkill::kSetDown;
+  const Site* site = parts.FindSite(ArgumentOf(request, "site"));
   return site != nullptr && parts.FindThread(site->type) != nullptr
              ? StoppedSkill::kInsertTurning
              : StoppedSkill::kInsert;
@@ -70,13 +70,14 @@ void StopInjector::OnReport(const arm_report_t& report) {
     return;
   }
   const StopChoice choice = *std::exchange(skill.choice, std::nullopt);
-  Make(choice, report.arm, requests_.at(report.request).part);
+  Make(choice, report.arm, ArgumentOf(requests_.at(report.request), "part"));
 }
 
 void StopInjector::Choose(const skill_request_t& request, Skill& skill) {
-  if (request.part.empty()) return;
+  const std::string part = ArgumentOf(request, "part");
+  if (part.empty()) return;
   const StoppedSkill kind = SkillOf(request, parts_);
-  int& num_tried = num_tried_[{request.arm, request.skill, request.part}];
+  int& num_tried = num_tried_[{request.arm, request.skill, part}];
   if (num_tried >=
       (kind == StoppedSkill::kInsertTurning ? kMostStopsOfTurning : 1))
     return;

@@ -14,6 +14,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/geometry/truth_poses.h"
 #include "common/parts/part_table.h"
+#include "common/skills/skill_arguments.h"
 #include "services/cell/evaluations/pose_looks.h"
 #include "services/cell/evaluations/stop_choice.h"
 #include "services/vtb/script.h"
@@ -55,7 +56,8 @@ class StopInjector {
     std::string phase;
     std::optional<StopChoice> choice;  ///< for this request, until it is made
   };
-  using Key = std::tuple<std::string, int, std::string>;  // arm, skill, part
+  using Key =
+      std::tuple<std::string, std::string, std::string>;  // arm, skill, part
 
   void OnReport(const arm_report_t& report);
   void Choose(const skill_request_t& request, Skill& skill);

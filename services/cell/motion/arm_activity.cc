@@ -1,45 +1,38 @@
 #include "services/cell/motion/arm_activity.h"
 
-#include <set>
+#include "common/skills/skill_arguments.h"
 
 namespace cell::cli {
-namespace {
-
-using Phases = std::set<std::string>;
-
-// Phases as ARM_REPORT names them. A failed skill draws back with the part.
-constexpr char kClose[] = "close";
-constexpr char kDrawBack[] = "draw back";
-const Phases kAtTable = {kClose, "lift", "set down", "let go", kDrawBack};
-const Phases kAmongParts = {kClose,     "lift",   "seat",   "turn",
-                            "set down", "let go", kDrawBack};
-
-}  // namespace
 
 void ArmActivity::Take(const skill_request_t& request) {
-  parts_[request.id] = request.part;
+  parts_[request.id] = ArgumentOf(request, "part");
 }
 
+/// A failed skill draws back with the part.
 void ArmActivity::Take(const arm_report_t& report) {
-  const bool was_drawing_back = phase_ == kDrawBack;
+  const bool had_contact = contact_ != arm_report_t::NO_CONTACT;
+  const bool has_contact = report.contact != arm_report_t::NO_CONTACT;
   if (report.request >= 0) skill_ = report.request;
-  const bool is_drawing_back = report.phase == kDrawBack;
-  if (!report.phase.empty()) phase_ = report.phase;
+  if (!report.phase.empty()) {
+    phase_ = report.phase;
+    contact_ = report.contact;
+  }
   held_ = report.held;
-  if (report.phase == kClose) grasped_ = parts_[skill_];
+  if (has_contact && !had_contact) grasped_ = parts_[skill_];
   if (!held_.empty()) {
     grasped_ = held_;
-  } else if (was_drawing_back && !is_drawing_back) {
+  } else if (had_contact && !has_contact) {
     grasped_.clear();
   }
 }
 
 bool ArmActivity::IsHeldAmongParts() const {
-  return kAmongParts.contains(phase_);
+  return contact_ == arm_report_t::PARTS ||
+         contact_ == arm_report_t::PARTS_AND_TABLE;
 }
 
 bool ArmActivity::IsHeldAtTable() const {
-  return kAtTable.contains(phase_);
+  return contact_ == arm_report_t::PARTS_AND_TABLE;
 }
 
 }  // namespace cell::cli

@@ -36,6 +36,7 @@ class ArmActivity {
   std::map<int64_t, std::string> parts_;  // by request
   int64_t skill_ = -1;
   std::string phase_, held_, grasped_;
+  int8_t contact_ = arm_report_t::NO_CONTACT;  // that the phase permits
 };
 
 }  // namespace cell::cli

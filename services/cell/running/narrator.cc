@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
+
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
@@ -49,21 +52,17 @@ const char* NameOf(int8_t relation) {
   }
 }
 
-const char* NameOfSkill(int8_t skill) {
-  switch (skill) {
-    case skill_request_t::INSERT:
-      return "seat";
-    case skill_request_t::PRESENT:
-      return "pass on";
-    case skill_request_t::PUT_DOWN:
-      return "put down";
-    case skill_request_t::FETCH:
-      return "fetch";
-    case skill_request_t::GO_FREE:
-      return "go free";
-    default:
-      return "go home";
+/// "seat shaft at base.shaft"
+std::string WordsOf(const skill_request_t& request) {
+  static const std::map<std::string, std::string> kWords = {
+      {"insert", "seat"}, {"present", "pass on"}};
+  const auto it = kWords.find(request.skill);
+  std::string words = it == kWords.end() ? request.skill : it->second;
+  std::ranges::replace(words, '_', ' ');
+  for (const argument_t& argument : request.arguments) {
+    words += (argument.name == "site" ? " at " : " ") + argument.value;
   }
+  return words;
 }
 
 }  // namespace
@@ -190,10 +189,8 @@ std::vector<std::string> Narrator::TellAnswer(const Message& message) {
 std::vector<std::string> Narrator::TellRequest(const Message& message) {
   const auto request = Decode<skill_request_t>(message);
   if (!request) return {};
-  std::string what = fmt::format("the {} arm is to {}", request->arm,
-                                 NameOfSkill(request->skill));
-  if (!request->part.empty()) what += " " + request->part;
-  if (!request->site.empty()) what += " at " + request->site;
+  const std::string what =
+      fmt::format("the {} arm is to {}", request->arm, WordsOf(*request));
   return {Line(request->header.utime, what)};
 }
 

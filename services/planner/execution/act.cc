@@ -26,7 +26,7 @@ bool IsIndependent(const GroundAction& action, const SkillRequest& request,
   return std::ranges::all_of(
       context.dispatch.running(), [&](const auto& entry) {
         const RunningSkill& other = entry.second;
-        return other.action && other.request.part != request.part &&
+        return other.action && !ShareAnObject(other.request, request) &&
                AreIndependent(context.plan.rules(), action, *other.action,
                               other.before);
       });
@@ -34,7 +34,10 @@ bool IsIndependent(const GroundAction& action, const SkillRequest& request,
 
 bool MayHandOver(const GroundAction& action, const SkillRequest& request,
                  const ExecutionContext& context, const State& state) {
-  return MayRunBesideAnother(request) && context.dispatch.IsFree(request.arm) &&
+  const SkillTraits* traits =
+      context.dispatch.arms().TraitsOf(request.arm, request.skill);
+  return traits != nullptr && traits->may_run_beside &&
+         context.dispatch.IsFree(request.arm) &&
          !context.dispatch.failures().Blocked().contains(action) &&
          IsSurelyPossible(context.plan.rules(), action, state) &&
          IsIndependent(action, request, context);

@@ -22,11 +22,10 @@ NextState CleanUp::Step(ExecutionContext& context, Instant now,
 
 void CleanUp::OnSkillEnd(const EndedSkill& ended) {
   const SkillRequest& request = ended.skill.request;
-  if (request.kind == SkillRequest::Kind::kGoFree) return;
+  if (request.purpose != SkillRequest::Purpose::kCleanUp) return;
+  // What it has put down leaves it to go home yet.
   if (ended.has_succeeded) {
-    if (request.kind == SkillRequest::Kind::kGoHome) {
-      finished_.insert(request.arm);
-    }
+    if (request.arguments.empty()) finished_.insert(request.arm);
     return;
   }
   if (!ended.counts || ++num_failed_[request.arm] < max_attempts_) return;

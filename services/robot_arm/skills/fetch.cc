@@ -16,13 +16,13 @@ class Fetch final : public Skill {
     return WhyNoUseOf(request.Argument("part"), arm);
   }
 
-  void Plan(SkillRun& run) const override {
-    run.Take();
-  }
+  void Plan(SkillRun& run) const override { run.Take(); }
 };
 
 }  // namespace
 
-std::unique_ptr<Skill> MakeFetch() { return std::make_unique<Fetch>(); }
+std::unique_ptr<Skill> MakeFetch() {
+  return std::make_unique<Fetch>();
+}
 
 }  // namespace cell::robot_arm

@@ -24,6 +24,8 @@ class GoFree final : public Skill {
 
 }  // namespace
 
-std::unique_ptr<Skill> MakeGoFree() { return std::make_unique<GoFree>(); }
+std::unique_ptr<Skill> MakeGoFree() {
+  return std::make_unique<GoFree>();
+}
 
 }  // namespace cell::robot_arm

@@ -14,13 +14,13 @@ class GoHome final : public Skill {
     return std::nullopt;
   }
 
-  void Plan(SkillRun& run) const override {
-    run.GoHome();
-  }
+  void Plan(SkillRun& run) const override { run.GoHome(); }
 };
 
 }  // namespace
 
-std::unique_ptr<Skill> MakeGoHome() { return std::make_unique<GoHome>(); }
+std::unique_ptr<Skill> MakeGoHome() {
+  return std::make_unique<GoHome>();
+}
 
 }  // namespace cell::robot_arm

@@ -78,7 +78,9 @@ class Insert final : public Skill {
     Arm& arm = run.arm();
     const Site& site = *SiteOf(run.request(), arm);
     const Thread* thread = arm.parts().FindThread(site.type);
-    const auto target = [&run] { return run.TargetAtSite(); };
+    const auto target = [&run] {
+      return run.TargetAtSite();
+    };
     if (thread != nullptr && !arm.held() &&
         FindHoldingSite(run.request().Argument("part"), arm.parts(),
                         arm.poses()) == &site) {
@@ -118,6 +120,8 @@ class Insert final : public Skill {
 
 }  // namespace
 
-std::unique_ptr<Skill> MakeInsert() { return std::make_unique<Insert>(); }
+std::unique_ptr<Skill> MakeInsert() {
+  return std::make_unique<Insert>();
+}
 
 }  // namespace cell::robot_arm

@@ -27,6 +27,8 @@ class Present final : public Skill {
 
 }  // namespace
 
-std::unique_ptr<Skill> MakePresent() { return std::make_unique<Present>(); }
+std::unique_ptr<Skill> MakePresent() {
+  return std::make_unique<Present>();
+}
 
 }  // namespace cell::robot_arm

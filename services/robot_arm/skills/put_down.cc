@@ -26,6 +26,8 @@ class PutDown final : public Skill {
 
 }  // namespace
 
-std::unique_ptr<Skill> MakePutDown() { return std::make_unique<PutDown>(); }
+std::unique_ptr<Skill> MakePutDown() {
+  return std::make_unique<PutDown>();
+}
 
 }  // namespace cell::robot_arm

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "cell/skill_request_t.hpp"
+
+namespace cell {
+
+/// Values by the names of a skill's arguments.
+using SkillArguments = std::map<std::string, std::string>;
+
+/// Nothing if a name is empty or stands twice, or there are too many.
+std::optional<SkillArguments> ArgumentsOf(const skill_request_t& request);
+/// Empty if it has none of that name.
+std::string ArgumentOf(const skill_request_t& request, const std::string& name);
+void SetArguments(const SkillArguments& arguments, skill_request_t* request);
+
+}  // namespace cell
