@@ -60,13 +60,13 @@ struct Course {
 
 Course Insert(ContactMotion& motion, Hole hole) {
   Course course;
-  Vector3d last = motion.X_SO().translation();
+  Vector3d last = motion.PartPose().translation();
   while (course.state == State::kRunning) {
     double height = 0;
-    const ContactWrench contact = hole.Press(motion.X_SO(), &height);
+    const ContactWrench contact = hole.Press(motion.PartPose(), &height);
     course.state = motion.Step(contact, height, kDt);
     course.seconds += kDt;
-    const Vector3d p = motion.X_SO().translation();
+    const Vector3d p = motion.PartPose().translation();
     course.longest_step = std::max(course.longest_step, (p - last).norm());
     last = p;
   }
@@ -78,7 +78,7 @@ TEST(InsertionMotion, BringsThePartToItsSeatAndPushesNoHarderThanAsked) {
   ContactMotion motion = MakeInsertion(params, 0.1);
   const Course course = Insert(motion, {});
   EXPECT_EQ(course.state, State::kDone) << motion.reason();
-  EXPECT_NEAR(motion.X_SO().translation().z(), 0, 0.002);
+  EXPECT_NEAR(motion.PartPose().translation().z(), 0, 0.002);
   EXPECT_GT(motion.peak_force(), 0.6 * params.feed.push);
   EXPECT_LT(motion.peak_force(), 1.05 * params.feed.push);
   EXPECT_LE(course.longest_step, params.feed.free_feed * kDt + 1e-12);
@@ -89,7 +89,7 @@ TEST(InsertionMotion, FindsAHoleThatIsElsewhere) {
   ContactMotion motion = MakeInsertion({}, 0.03);
   const Hole hole{{0.0025, -0.001}};
   EXPECT_EQ(Insert(motion, hole).state, State::kDone) << motion.reason();
-  EXPECT_LT((motion.X_SO().translation().head<2>() - hole.centre).norm(),
+  EXPECT_LT((motion.PartPose().translation().head<2>() - hole.centre).norm(),
             kPlay);
 }
 
@@ -129,17 +129,17 @@ TEST(InsertionMotion, GivesWaySidewaysAndSlowsDown) {
     free.Step({}, 0.2, kDt);
     pushed.Step({{0, 10, 0}, {0, 0, 0.1}}, 0.2, kDt);
   }
-  EXPECT_NEAR(pushed.X_SO().translation().y(), 2e-5 * 10 + 4e-4 * 10 * 0.4,
+  EXPECT_NEAR(pushed.PartPose().translation().y(), 2e-5 * 10 + 4e-4 * 10 * 0.4,
               1e-9);
-  EXPECT_GT(AngleAxisd(pushed.X_SO().linear()).angle(), 0.001);
-  const double slowed = 0.2 - pushed.X_SO().translation().z();
-  const double full = 0.2 - free.X_SO().translation().z();
+  EXPECT_GT(AngleAxisd(pushed.PartPose().linear()).angle(), 0.001);
+  const double slowed = 0.2 - pushed.PartPose().translation().z();
+  const double full = 0.2 - free.PartPose().translation().z();
   EXPECT_NEAR(slowed / full, 1 / (1 + 0.3 * 7), 1e-9);
 }
 
 /// A thread that is tight at the height 0.
 ContactWrench OnThread(const ContactMotion& motion) {
-  const double z = motion.X_SO().translation().z();
+  const double z = motion.PartPose().translation().z();
   return {{0, 0, kStiffness * std::max(0.0, -z)},
           {0, 0, 1000 * std::max(0.0, -z)}};
 }
@@ -149,7 +149,7 @@ TEST(ScrewingMotion, FollowsTheThreadUntilItIsTight) {
   const Isometry3d X_SO =
       Translation3d(0, 0.0005, 0.01) * AngleAxisd(0.4, Vector3d::UnitZ());
   ContactMotion motion = MakeScrewing(params, kPitch, X_SO);
-  EXPECT_TRUE(motion.X_SO().isApprox(X_SO, 1e-12));
+  EXPECT_TRUE(motion.PartPose().isApprox(X_SO, 1e-12));
   State state = State::kRunning;
   double seconds = 0;
   while (state == State::kRunning) {
@@ -158,9 +158,9 @@ TEST(ScrewingMotion, FollowsTheThreadUntilItIsTight) {
     ASSERT_LT(seconds, 10);
   }
   EXPECT_EQ(state, State::kDone) << motion.reason();
-  EXPECT_NEAR(motion.X_SO().translation().x(), 0, 1e-12);
-  EXPECT_NEAR(motion.X_SO().translation().y(), 0.0005, 1e-12);
-  EXPECT_LT(motion.X_SO().translation().z(), 0);
+  EXPECT_NEAR(motion.PartPose().translation().x(), 0, 1e-12);
+  EXPECT_NEAR(motion.PartPose().translation().y(), 0.0005, 1e-12);
+  EXPECT_LT(motion.PartPose().translation().z(), 0);
   EXPECT_GT(seconds * params.thread.rate, params.tight.min_angle);
   EXPECT_GT(motion.peak_force(), 1);
 }
@@ -179,7 +179,7 @@ TEST(ScrewingMotion, LimitsItsForceAndItsDrift) {
     ASSERT_EQ(motion.Step({{20, 0, 0}}, 0.01, kDt), State::kRunning)
         << motion.reason();
   }
-  EXPECT_NEAR(motion.X_SO().translation().x(),
+  EXPECT_NEAR(motion.PartPose().translation().x(),
               params.contact.admittance.max_drift + 2e-5 * 20, 1e-9);
   EXPECT_EQ(motion.peak_force(), 20);
   EXPECT_EQ(motion.Step({{101, 0, 0}}, 0.01, kDt), State::kFailed);
@@ -216,7 +216,7 @@ TEST(ContactMotion, AddsForceControlToAnyReferenceAsEquation2) {
                        std::make_unique<Never>(), Isometry3d::Identity());
   for (int i = 0; i < 125; ++i) motion.Step({{0, 0, 2}}, 0, kDt);
   const Vector3d p(0.01, 0, -4e-4 * 3);
-  EXPECT_TRUE(motion.X_SO().translation().isApprox(p, 1e-9));
+  EXPECT_TRUE(motion.PartPose().translation().isApprox(p, 1e-9));
 }
 
 /// The right arm over a site straight below its gripper.

@@ -79,17 +79,34 @@ TEST(SpiralSearch, MakesTheMiddleOfWhereThePartSinksIn) {
   EXPECT_FALSE(search.is_searching());
 }
 
-TEST(SpiralSearch, GivesUpAfterAsManySpiralsAsAllowed) {
-  SpiralSearch search({.radius = 0.002, .max_spirals = 2});
+TEST(SpiralSearch, GivesUpAfterAsManySpiralsAsAllowedWithoutAJump) {
+  const SpiralSearch::Params params{.radius = 0.002, .max_spirals = 3};
+  SpiralSearch search(params);
   search.Begin(kHeight);
-  int num_returns = 0;
-  double radius = 0;
+  int num_starts = 0;
+  Vector2d last = Vector2d::Zero();
   while (search.Step(kHeight, kDt) == SpiralSearch::State::kSearching) {
-    if (search.Circle().norm() < radius) ++num_returns;
-    radius = search.Circle().norm();
-    ASSERT_LT(radius, 0.003);
+    const Vector2d now = search.Circle();
+    EXPECT_LT((now - last).norm(), 1.3 * params.speed * kDt);
+    EXPECT_LT(now.norm(), params.radius + params.pitch);
+    if (now.norm() > 0 && last.norm() == 0) ++num_starts;
+    last = now;
+    ASSERT_LE(num_starts, params.max_spirals);
   }
-  EXPECT_EQ(num_returns, 1);
+  EXPECT_EQ(num_starts, params.max_spirals);
+}
+
+TEST(SpiralSearch, FindsOnItsWayBackToo) {
+  SpiralSearch search({});
+  search.Begin(kHeight);
+  double radius = 0;
+  while (search.Circle().norm() >= radius - 1e-9) {
+    radius = search.Circle().norm();
+    search.Step(kHeight, kDt);
+  }
+  const Vector2d there = search.Circle();
+  EXPECT_EQ(search.Step(kHeight - 0.001, kDt), SpiralSearch::State::kFound);
+  EXPECT_EQ(search.middle(), there);
 }
 
 TEST(SpiralSearch, IsOffWithoutSpirals) {

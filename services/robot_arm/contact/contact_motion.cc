@@ -66,7 +66,7 @@ void ContactMotion::Judge(const ContactState& now) {
 }
 
 /// Eq. 2: what the reference and what force control along z ask for add up in
-/// p_SO_, the offsets sideways and in rotation come on top (X_SO()).
+/// p_SO_, the offsets sideways and in rotation come on top (PartPose()).
 void ContactMotion::MoveOn(const ContactState& now, double dt) {
   const double rate = slow_down_.Rate(now.contact.force.head<2>());
   step_ = reference_->Advance(now, rate, dt);
@@ -97,7 +97,7 @@ void ContactMotion::Search(const ContactState& now, double dt) {
   }
 }
 
-Isometry3d ContactMotion::X_SO() const {
+Isometry3d ContactMotion::PartPose() const {
   const Vector2d yielded =
       search_.middle() + admittance_.proportional() + admittance_.integral();
   Isometry3d X_SO = Isometry3d::Identity();

@@ -40,8 +40,8 @@ class ContactMotion {
   /// One tick of `dt` [s]. `height`: z of O in S as measured.
   State Step(const ContactWrench& contact, double height, double dt);
 
-  /// Where the part shall be.
-  Eigen::Isometry3d X_SO() const;
+  /// X_SO: where the part shall be.
+  Eigen::Isometry3d PartPose() const;
   State state() const { return state_; }
   /// Why it has failed, in plain words.
   const std::string& reason() const { return reason_; }

@@ -18,8 +18,8 @@ class Section {
  public:
   explicit Section(const Config& config) : config_(config) {}
   /// It may be missing.
-  Section(const Config& config, const std::string& name) {
-    if (config.Has(name)) config_ = config[name];
+  Section(const Config& config, const std::string& name)
+      : config_(config.Has(name) ? std::optional(config[name]) : std::nullopt) {
   }
 
   /// The number times `unit`, if it is there.

@@ -43,8 +43,8 @@ SkillStage::State ContactStage::Step(const ArmReading& reading, double dt,
     reason_ = motion_->reason();
     return State::kFailed;
   }
-  const auto q =
-      kinematics_.JointsNear(frames_.GripperAt(motion_->X_SO()), command->q);
+  const auto q = kinematics_.JointsNear(frames_.GripperAt(motion_->PartPose()),
+                                        command->q);
   if (!q) {
     reason_ = "the way to the site leads out of reach";
     return State::kFailed;

@@ -11,7 +11,7 @@ class SpiralSearch {
   struct Params {
     double pitch = 0.001;   ///< [m] per turn: as a hole's play
     double speed = 0.015;   ///< [m/s] along the spiral: it can sink in passing
-    double radius = 0.006;  ///< [m] at most, then from the middle again
+    double radius = 0.006;  ///< [m] at most, then back to the middle
     double found = 0.0007;  ///< [m] that it sinks: more than a stalled part
     int max_spirals = 4;    ///< then there is no way in; 0: no search
   };
@@ -32,9 +32,13 @@ class SpiralSearch {
   int max_spirals() const { return params_.max_spirals; }
 
  private:
+  void GoOn(double way);
+
   Params params_;
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
   double angle_ = -1;  // [rad]; negative: it does not search
+  double radius_ = 0;  // [m]
+  bool is_returning_ = false;
   double height_ = 0;  // where it began
   int num_spirals_ = 0;
 };
