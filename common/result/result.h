@@ -1,6 +1,8 @@
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -15,13 +17,17 @@ struct Reason {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : content_(std::move(value)) {}
+  template <class U = T>
+  requires std::convertible_to<U, T> &&
+      (!std::same_as<std::remove_cvref_t<U>, Result>)Result(U&& value)
+      : content_(std::in_place_index<0>, std::forward<U>(value)) {}
   Result(Reason reason) : content_(std::move(reason)) {}
 
   explicit operator bool() const { return content_.index() == 0; }
   /// @throws std::bad_variant_access if there is none, in all three.
-  const T& operator*() const { return std::get<0>(content_); }
-  T& operator*() { return std::get<0>(content_); }
+  const T& operator*() const& { return std::get<0>(content_); }
+  T& operator*() & { return std::get<0>(content_); }
+  T&& operator*() && { return std::get<0>(std::move(content_)); }
   const T* operator->() const { return &std::get<0>(content_); }
   /// Empty if there is a value.
   std::string reason() const {

@@ -42,6 +42,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
 #include "common/imaging/rgbd_frame.h"
+#include "common/skills/skill_arguments.h"
 #include "services/cell/evaluations/episode_observer.h"
 #include "services/cell/running/narrator.h"
 #include "services/cell/running/service_registry.h"
@@ -103,8 +104,8 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   samples["SKILL_RESULT"] = {Bus::Encode(result)};
   skill_request_t request{};
   request.arm = "right";
-  request.part = "shaft";
-  request.site = "base.shaft";
+  request.skill = "insert";
+  SetArguments({{"part", "shaft"}, {"site", "base.shaft"}}, &request);
   samples["SKILL_REQUEST"] = {Bus::Encode(request)};
   AskForMotions(samples);
   execution_t execution{};

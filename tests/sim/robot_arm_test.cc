@@ -10,6 +10,7 @@
 
 #include "cell/skill_result_t.hpp"
 #include "common/bus/sim_bus.h"
+#include "common/skills/skill_arguments.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/pose_looks.h"
 #include "services/motion_planner/motion_planner.h"
@@ -27,9 +28,8 @@ using namespace cli;
 namespace {
 
 struct Wish {
-  std::string arm;
-  int8_t skill;
-  std::string part, site;
+  std::string arm, skill;
+  SkillArguments arguments;
 };
 
 // Asks for one wish after the other, and lets the arms move.
@@ -72,8 +72,7 @@ class Driver final : public Service {
     request.deadline_utime = bus_.now() + 1'000'000;
     request.arm = wish.arm;
     request.skill = wish.skill;
-    request.part = wish.part;
-    request.site = wish.site;
+    SetArguments(wish.arguments, &request);
     bus_.Publish("SKILL_REQUEST", request);
     wishes_.pop_front();
     is_waiting_ = true;
@@ -141,19 +140,21 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
   return outcome;
 }
 
-constexpr int8_t kInsert = skill_request_t::INSERT;
+Wish Insert(const std::string& part, const std::string& site) {
+  return {"right", "insert", {{"part", part}, {"site", site}}};
+}
 
 const std::deque<Wish> kAll = {
-    {"right", kInsert, "round_peg_1", "base.round_1"},
-    {"right", kInsert, "round_peg_2", "base.round_2"},
-    {"right", kInsert, "square_peg_1", "base.square_1"},
-    {"right", kInsert, "square_peg_2", "base.square_2"},
-    {"right", kInsert, "shaft", "base.shaft"},
-    {"right", kInsert, "separator", "base.separator"},
-    {"right", kInsert, "pendulum", "base.pendulum"},
-    {"right", kInsert, "head", "pendulum.head"},
-    {"right", kInsert, "face_plate", "base.face_plate"},
-    {"right", skill_request_t::GO_HOME, "", ""},
+    Insert("round_peg_1", "base.round_1"),
+    Insert("round_peg_2", "base.round_2"),
+    Insert("square_peg_1", "base.square_1"),
+    Insert("square_peg_2", "base.square_2"),
+    Insert("shaft", "base.shaft"),
+    Insert("separator", "base.separator"),
+    Insert("pendulum", "base.pendulum"),
+    Insert("head", "pendulum.head"),
+    Insert("face_plate", "base.face_plate"),
+    {"right", "go_home", {}},
 };
 
 TEST(RobotArm, AssemblesEverythingOneAfterTheOther) {

@@ -15,6 +15,7 @@
 #include "cell/motion_permit_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
+#include "common/skills/skill_arguments.h"
 #include "tests/sim/assembling_cell.h"
 
 namespace cell {
@@ -65,15 +66,15 @@ class SkillWatch {
   void OnRequest(const skill_request_t& request) {
     EXPECT_TRUE(requests_.emplace(request.id, request).second)
         << "request " << request.id << " is made twice";
-    if (request.skill == skill_request_t::INSERT) {
-      EXPECT_FALSE(inserted_.contains(request.part))
-          << request.part << " is inserted again, at tick "
-          << request.header.tick;
+    if (request.skill == "insert") {
+      const std::string part = ArgumentOf(request, "part");
+      EXPECT_FALSE(inserted_.contains(part))
+          << part << " is inserted again, at tick " << request.header.tick;
     }
     if (kIsVerbose) {
       Say("asked: " + std::to_string(request.id) + " " + request.arm + " " +
-          std::to_string(request.skill) + " " + request.part + " " +
-          request.site);
+          request.skill + " " + ArgumentOf(request, "part") + " " +
+          ArgumentOf(request, "site"));
     }
   }
 
@@ -82,8 +83,8 @@ class SkillWatch {
     const auto request = requests_.find(result.id);
     ASSERT_TRUE(request != requests_.end());
     if (result.outcome == skill_result_t::SUCCEEDED &&
-        request->second.skill == skill_request_t::INSERT) {
-      inserted_.insert(request->second.part);
+        request->second.skill == "insert") {
+      inserted_.insert(ArgumentOf(request->second, "part"));
     }
     if (kIsVerbose) {
       Say("ended: " + std::to_string(result.id) + " outcome " +

@@ -40,7 +40,8 @@ class AssemblyObserverTest : public testing::Test {
       Put("TRUTH_POSES", truth);
     }
   }
-  void End(int64_t id, int8_t skill, int8_t outcome, double peak_force = 0) {
+  void End(int64_t id, const std::string& skill, int8_t outcome,
+           double peak_force = 0) {
     skill_request_t request{};
     request.id = id;
     request.skill = skill;
@@ -53,9 +54,7 @@ class AssemblyObserverTest : public testing::Test {
     Put("SKILL_RESULT", result);
     Rest();
   }
-  void Insert(int64_t id) {
-    End(id, skill_request_t::INSERT, skill_result_t::SUCCEEDED);
-  }
+  void Insert(int64_t id) { End(id, "insert", skill_result_t::SUCCEEDED); }
 
   ShippedTask task_;
   Stage stage_{task_};
@@ -90,10 +89,10 @@ TEST_F(AssemblyObserverTest, WhatComesLooseWithALaterStepIsBroken) {
 
 TEST_F(AssemblyObserverTest, CountsWhatWasAskedAndHowItEnded) {
   Insert(1);
-  End(2, skill_request_t::PRESENT, skill_result_t::REFUSED);
-  End(3, skill_request_t::INSERT, skill_result_t::FAILED, 42);
-  End(4, skill_request_t::INSERT, skill_result_t::STOPPED, 12);
-  End(5, skill_request_t::INSERT, skill_result_t::YIELDED, 12);
+  End(2, "present", skill_result_t::REFUSED);
+  End(3, "insert", skill_result_t::FAILED, 42);
+  End(4, "insert", skill_result_t::STOPPED, 12);
+  End(5, "insert", skill_result_t::YIELDED, 12);
   const AssemblyObserver::Record& record = observer_.record();
   EXPECT_EQ(record.num_requests, 5);
   EXPECT_EQ(record.num_refused, 1);

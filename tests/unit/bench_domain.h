@@ -10,6 +10,7 @@
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
 #include "common/relational/rule_set.h"
+#include "services/planner/arm_states.h"
 
 namespace cell {
 
@@ -98,6 +99,13 @@ struct BenchDomain {
   Domain domain;
   std::shared_ptr<const RuleSet> rules;
 };
+
+/// What arms at the bench report of their skills.
+inline std::map<std::string, planner::SkillTraits> SkillsOfBench() {
+  return {{"insert", {}},
+          {"present", {.may_run_beside = true, .hands_over = true}},
+          {"put_down", {}}};
+}
 
 /// The bench's text with a part of it replaced.
 inline std::string BenchWith(const std::string& part,

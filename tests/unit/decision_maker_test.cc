@@ -183,7 +183,7 @@ TEST_F(Deciding, ANewRuleSetAnswersAStandingQuestionOfTheRobot) {
   maker_.ReplaceRules(BenchDomain(kBench, 3).rules);
   const Decisions out = Run(kBothIn, 1);
   ASSERT_THAT(out.requests, SizeIs(1));
-  EXPECT_EQ(out.requests[0].part, bench_.Object("lid"));
+  EXPECT_EQ(out.requests[0].arguments.at("part"), bench_.Object("lid"));
   EXPECT_EQ(out.execution->state, ExecutionStatus::State::kRunning);
 }
 
@@ -197,7 +197,7 @@ TEST_F(Deciding, WhatRunsGoesOnUnderANewRuleSet) {
                                 SkillResult::Outcome::kSucceeded, ""});
   const Decisions next = Run({"In(bolt_1, hole_1)"}, 10);
   ASSERT_FALSE(next.requests.empty());
-  EXPECT_EQ(next.requests[0].part, bench_.Object("bolt_2"));
+  EXPECT_EQ(next.requests[0].arguments.at("part"), bench_.Object("bolt_2"));
 }
 
 TEST_F(Deciding, ANewActionOfANewRuleSetIsPlannedWith) {

@@ -87,7 +87,8 @@ class Bench : public testing::Test {
   }
 
   ArmState Report(const std::string& name, const Arm& arm) const {
-    ArmState report{Object(name), now_.utime, arm.request, std::nullopt, {}};
+    ArmState report{Object(name), now_.utime, arm.request,
+                    std::nullopt, {},         SkillsOfBench()};
     if (!arm.held.empty()) report.held = Object(arm.held);
     for (const auto& part : arm.reachable) {
       report.reachable.push_back(Object(part));
@@ -98,12 +99,11 @@ class Bench : public testing::Test {
   int Object(const std::string& name) const { return bench_.Object(name); }
   std::string Name(int object) const { return bench_.Name(object); }
   std::string Show(const SkillRequest& request) const {
-    static const std::vector<std::string> kKinds = {
-        "insert", "present", "put down", "go home", "go free"};
-    std::string text =
-        Name(request.arm) + ": " + kKinds[static_cast<size_t>(request.kind)];
-    if (request.part) text += " " + Name(*request.part);
-    if (request.site) text += " at " + Name(*request.site);
+    std::string text = Name(request.arm) + ": " + request.skill;
+    std::ranges::replace(text, '_', ' ');
+    for (const auto& [name, object] : request.arguments) {
+      text += (name == "site" ? " at " : " ") + Name(object);
+    }
     return text;
   }
   std::vector<std::string> TakeAsked() { return std::exchange(asked_, {}); }

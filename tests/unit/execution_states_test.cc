@@ -21,7 +21,6 @@ namespace {
 
 using testing::IsEmpty;
 using testing::SizeIs;
-using Kind = SkillRequest::Kind;
 
 const std::set<std::string> kBothIn = {"In(bolt_1, hole_1)",
                                        "In(bolt_2, hole_2)"};
@@ -33,14 +32,19 @@ class States : public testing::Test {
 
   void Report(int64_t right_runs = ArmState::kIdle,
               std::optional<std::string> right_holds = {}) {
-    ArmState right{bench_.Object("right"), now_.utime, right_runs, {}, {}};
+    ArmState right{bench_.Object("right"), now_.utime, right_runs, {}, {},
+                   SkillsOfBench()};
     for (const auto& part : reachable_) {
       right.reachable.push_back(bench_.Object(part));
     }
     if (right_holds) right.held = bench_.Object(*right_holds);
     context_.dispatch.Update(right);
-    context_.dispatch.Update(
-        ArmState{bench_.Object("left"), now_.utime, ArmState::kIdle, {}, {}});
+    context_.dispatch.Update(ArmState{bench_.Object("left"),
+                                      now_.utime,
+                                      ArmState::kIdle,
+                                      {},
+                                      {},
+                                      SkillsOfBench()});
   }
   void Sense(const std::set<std::string>& is_true) {
     context_.sensing.Update({1, now_.utime, bench_.StateOf(is_true)});
@@ -110,7 +114,7 @@ TEST_F(States, AwaitLetsAnArmThatWasStoppedGoFreeFirst) {
   Stop(bench_.Object("right"));
   EXPECT_EQ(NextAfter(await), "");
   ASSERT_THAT(out_.requests, SizeIs(1));
-  EXPECT_EQ(out_.requests[0].kind, Kind::kGoFree);
+  EXPECT_EQ(out_.requests[0].skill, "go_free");
 }
 
 TEST_F(States, SenseAsksUntilTheStateIsFresh) {
@@ -140,7 +144,7 @@ TEST_F(States, ActRequestsTheFirstStepOfThePlan) {
   Sense(kBothIn);
   EXPECT_EQ(NextAfter(act), "");
   ASSERT_THAT(out_.requests, SizeIs(1));
-  EXPECT_EQ(out_.requests[0].part, bench_.Object("lid"));
+  EXPECT_EQ(out_.requests[0].arguments.at("part"), bench_.Object("lid"));
   ASSERT_TRUE(out_.plan.has_value());
   EXPECT_EQ(out_.plan->plan.steps.size(), 1u);
   EXPECT_EQ(act.Status(context_).action, "Close(lid)");
@@ -297,13 +301,13 @@ TEST_F(CleaningUp, EmptiesTheGrippersThenGoesHome) {
   Report(ArmState::kIdle, "lid");
   EXPECT_EQ(NextAfter(clean_up_), "");
   ASSERT_THAT(out_.requests, SizeIs(2));
-  EXPECT_EQ(out_.requests[0].kind, Kind::kGoHome);
-  EXPECT_EQ(out_.requests[1].kind, Kind::kPutDown);
-  EXPECT_EQ(out_.requests[1].part, bench_.Object("lid"));
+  EXPECT_EQ(out_.requests[0].skill, "go_home");
+  EXPECT_EQ(out_.requests[1].skill, "put_down");
+  EXPECT_EQ(out_.requests[1].arguments.at("part"), bench_.Object("lid"));
   End(right_, SkillResult::Outcome::kSucceeded);
   EXPECT_EQ(NextAfter(clean_up_), "");
   ASSERT_THAT(out_.requests, SizeIs(1));
-  EXPECT_EQ(out_.requests[0].kind, Kind::kGoHome);
+  EXPECT_EQ(out_.requests[0].skill, "go_home");
   End(left_, SkillResult::Outcome::kSucceeded);
   End(right_, SkillResult::Outcome::kSucceeded);
   EXPECT_EQ(NextAfter(clean_up_), "done");

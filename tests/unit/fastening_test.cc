@@ -14,6 +14,7 @@
 #include "common/bus/stepper.h"
 #include "common/kinematics/joint_values.h"
 #include "common/sec/track.h"
+#include "common/skills/skill_arguments.h"
 #include "services/robot_arm/robot_arm.h"
 #include "services/robot_arm/tool_kinematics.h"
 #include "tests/unit/stage_testing.h"
@@ -139,14 +140,13 @@ class ArmThatHoldsTheHead : public FasteningTest {
       }
     }
   }
-  void Ask(int8_t skill, const std::string& part, const std::string& site) {
+  void Ask(const std::string& skill, const SkillArguments& arguments) {
     skill_request_t request{};
     request.id = 7;
     request.deadline_utime = (tick_ + 100) * kTickUs;
     request.arm = "right";
     request.skill = skill;
-    request.part = part;
-    request.site = site;
+    SetArguments(arguments, &request);
     Give("SKILL_REQUEST", request);
     Run(10);
   }
@@ -164,7 +164,7 @@ class ArmThatHoldsTheHead : public FasteningTest {
 TEST_F(ArmThatHoldsTheHead, ReportsALooseOneAsHeldAndTakesNothingElse) {
   BeginAt(Above(0.03));
   EXPECT_EQ(report_.held, "head");
-  Ask(skill_request_t::INSERT, "face_plate", "base.face_plate");
+  Ask("insert", {{"part", "face_plate"}, {"site", "base.face_plate"}});
   ASSERT_EQ(results_.size(), 1u);
   EXPECT_EQ(results_[0].outcome, skill_result_t::REFUSED);
   EXPECT_EQ(results_[0].reason, "it holds head");
@@ -173,28 +173,28 @@ TEST_F(ArmThatHoldsTheHead, ReportsALooseOneAsHeldAndTakesNothingElse) {
 TEST_F(ArmThatHoldsTheHead, CountsASeatedOneAsPlacedAndLetsGoOfItFirst) {
   BeginAt(Above(0));
   EXPECT_EQ(report_.held, "");
-  Ask(skill_request_t::INSERT, "face_plate", "base.face_plate");
+  Ask("insert", {{"part", "face_plate"}, {"site", "base.face_plate"}});
   EXPECT_TRUE(results_.empty()) << results_[0].reason;
   EXPECT_EQ(report_.phase, "let go");
 }
 
 TEST_F(ArmThatHoldsTheHead, LetsGoOfOneHalfwayOnItsThreadToTurnItOn) {
   BeginAt(Above(0.004));
-  Ask(skill_request_t::INSERT, "head", "pendulum.head");
+  Ask("insert", {{"part", "head"}, {"site", "pendulum.head"}});
   EXPECT_TRUE(results_.empty()) << results_[0].reason;
   EXPECT_EQ(report_.phase, "let go");
 }
 
 TEST_F(ArmThatHoldsTheHead, LetsGoOfOneHalfwayOnItsThreadToPutItDown) {
   BeginAt(Above(0.004));
-  Ask(skill_request_t::PUT_DOWN, "head", "");
+  Ask("put_down", {{"part", "head"}});
   EXPECT_TRUE(results_.empty()) << results_[0].reason;
   EXPECT_EQ(report_.phase, "let go");
 }
 
 TEST_F(ArmThatHoldsTheHead, LetsGoOfOneHalfwayOnItsThreadToGoHome) {
   BeginAt(Above(0.004));
-  Ask(skill_request_t::GO_HOME, "", "");
+  Ask("go_home", {});
   EXPECT_TRUE(results_.empty()) << results_[0].reason;
   EXPECT_EQ(report_.phase, "let go");
 }
@@ -203,7 +203,7 @@ TEST_F(ArmThatHoldsTheHead, StaysWhereItIsWhileNobodySeesTheHead) {
   BeginAt(Above(0.004));
   stage_.Remove("head");
   Run(20);
-  Ask(skill_request_t::GO_FREE, "", "");
+  Ask("go_free", {});
   ASSERT_EQ(results_.size(), 1u);
   EXPECT_EQ(results_[0].outcome, skill_result_t::REFUSED);
   EXPECT_EQ(results_[0].reason, "nobody knows where head is");

@@ -11,6 +11,7 @@
 #include "common/bus/bus.h"
 #include "common/geometry/pose.h"
 #include "common/kinematics/joint_values.h"
+#include "common/skills/skill_arguments.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -89,7 +90,7 @@ class MotionCheckTest : public testing::Test {
     skill_request_t request{};
     request.id = id;
     request.arm = arm;
-    request.part = part;
+    SetArguments({{"part", part}}, &request);
     Put("SKILL_REQUEST", request, 5);
   }
   void Say(const std::string& arm, int64_t id, const std::string& phase,
@@ -98,6 +99,16 @@ class MotionCheckTest : public testing::Test {
     report.arm = arm;
     report.request = id;
     report.phase = phase;
+    static const std::map<std::string, int8_t> kContact = {
+        {"close", arm_report_t::PARTS_AND_TABLE},
+        {"lift", arm_report_t::PARTS_AND_TABLE},
+        {"set down", arm_report_t::PARTS_AND_TABLE},
+        {"let go", arm_report_t::PARTS_AND_TABLE},
+        {"draw back", arm_report_t::PARTS_AND_TABLE},
+        {"seat", arm_report_t::PARTS},
+        {"turn", arm_report_t::PARTS}};
+    const auto contact = kContact.find(phase);
+    if (contact != kContact.end()) report.contact = contact->second;
     report.held = held;
     Put("ARM_REPORT_" + ChannelSuffix(arm), report, 7);
   }

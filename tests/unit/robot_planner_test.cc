@@ -12,6 +12,7 @@
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "common/bus/stepper.h"
+#include "common/skills/skill_arguments.h"
 #include "services/planner/execution_messages.h"
 #include "services/planner/planner.h"
 #include "tests/unit/cranfield_domain.h"
@@ -156,7 +157,7 @@ TEST_F(RobotPlanner, DoesTheWholeTask) {
     ASSERT_LT(tick_, 10'000);
     Run(100);
     for (const skill_request_t& request : std::exchange(requests_, {})) {
-      if (request.skill == skill_request_t::INSERT) {
+      if (request.skill == "insert") {
         const std::string what = told_.back().action;
         for (const auto& action :
              cranfield_.domain->GroundActions(Agent::kRobot)) {
@@ -180,9 +181,10 @@ TEST_F(RobotPlanner, RequestsTheSkillOfTheFirstStep) {
   Run(100);
   ASSERT_THAT(requests_, SizeIs(1));
   EXPECT_EQ(requests_[0].arm, "right");
-  EXPECT_EQ(requests_[0].skill, skill_request_t::INSERT);
-  EXPECT_EQ(requests_[0].part, "round_peg_1");
-  EXPECT_EQ(requests_[0].site, "base.round_1");
+  EXPECT_EQ(requests_[0].skill, "insert");
+  EXPECT_EQ(
+      ArgumentsOf(requests_[0]),
+      (SkillArguments{{"part", "round_peg_1"}, {"site", "base.round_1"}}));
   EXPECT_GT(requests_[0].deadline_utime, requests_[0].header.utime);
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using testing::IsEmpty;
 using testing::SizeIs;
-using Kind = SkillRequest::Kind;
 using Outcome = SkillResult::Outcome;
 
 class Dispatch : public testing::Test {
@@ -52,17 +51,17 @@ class Dispatch : public testing::Test {
 TEST_F(Dispatch, MakesOneRequestOfEachPlannedAction) {
   const auto insert = RequestFor(insert_, *bench_.rules);
   ASSERT_TRUE(insert.has_value());
-  EXPECT_EQ(insert->kind, Kind::kInsert);
+  EXPECT_EQ(insert->skill, "insert");
   EXPECT_EQ(insert->arm, right_);
-  EXPECT_EQ(insert->part, bench_.Object("bolt_1"));
-  EXPECT_EQ(insert->site, bench_.Object("hole_1"));
-  EXPECT_FALSE(MayRunBesideAnother(*insert));
+  EXPECT_EQ(insert->arguments.at("part"), bench_.Object("bolt_1"));
+  EXPECT_EQ(insert->arguments.at("site"), bench_.Object("hole_1"));
   const auto present =
       RequestFor(bench_.Action("Present", {"lid"}), *bench_.rules);
   ASSERT_TRUE(present.has_value());
-  EXPECT_EQ(present->kind, Kind::kPresent);
-  EXPECT_EQ(present->site, std::nullopt);
-  EXPECT_TRUE(MayRunBesideAnother(*present));
+  EXPECT_EQ(present->skill, "present");
+  EXPECT_EQ(present->arguments.size(), 1u);
+  EXPECT_FALSE(ShareAnObject(*insert, *present));
+  EXPECT_TRUE(ShareAnObject(*present, *present));
 }
 
 TEST_F(Dispatch, AnActionThatNoArmCanDoGivesNoRequest) {
@@ -137,7 +136,7 @@ TEST_F(Dispatch, AnArmThatWasStoppedIsToGoFreeUntilItHasOrHasFailedThrice) {
     dispatch_.StartGoingFree(now_, out_);
     dispatch_.StartGoingFree(now_, out_);  // it is asked once
     ASSERT_THAT(out_.requests, SizeIs(1));
-    EXPECT_EQ(out_.requests[0].kind, Kind::kGoFree);
+    EXPECT_EQ(out_.requests[0].skill, "go_free");
     runs_[right_] = out_.requests[0].id;
     EXPECT_TRUE(dispatch_.HasArmToFree());
     End(Outcome::kFailed);
