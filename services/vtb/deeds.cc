@@ -62,7 +62,7 @@ bool Deeds::IsTooEarly(const Part& part, const std::string& site,
   const PlacementRule* rule = RuleOf(part, *world.table().FindSite(site));
   for (const std::string& earlier : rule->after) {
     for (const Part& other : world.table().parts()) {
-      if (other.type == book_->rules.at(earlier).part_type && !other.is_fixed &&
+      if (other.type == book_->rules.at(earlier).part_type && other.is_free() &&
           !SeatOf(other.name, world)) {
         return true;
       }

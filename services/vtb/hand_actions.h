@@ -8,7 +8,8 @@
 /// leaves the hand where the one that usually follows can begin.
 namespace cell::vtb::hand_action {
 
-/// Over everything to one of the part's grasps, with open fingers.
+/// Over everything to one of the part's grasps, with open fingers; to the
+/// handle of an articulated part straight from before it.
 HandAction Reach(const std::string& part);
 /// Closes the fingers about the part that was reached for. If somebody else
 /// holds it by then, the hand gives up all that it was to do and goes to rest.
@@ -30,6 +31,14 @@ HandAction Release(const std::string& part);
 HandAction Retreat();
 /// Over everything to the hand's place, with or without a part.
 HandAction Rest();
+/// Turns a held part on its hinge to the upper limit, or to the lower one. One
+/// that does not come there is a failure.
+/// @throws std::invalid_argument as it begins, unless the part has a hinge.
+HandAction Open(const std::string& part);
+HandAction Close(const std::string& part);
+/// The same of a held part on a slide.
+HandAction Pull(const std::string& part);
+HandAction Push(const std::string& part);
 /// Stays as it is for `duration` [s].
 HandAction Pause(double duration);
 
