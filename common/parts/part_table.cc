@@ -14,24 +14,10 @@ using Eigen::Vector3d;
 
 constexpr double kDeg = std::numbers::pi / 180;
 constexpr double kMaxLength = 10'000;  // [mm]
+constexpr double kLeastLever = 0.005;  // [m] of a handle
 
 double Length(const Config& config, const std::string& key) {
   return kMm * config.Number(key, 0, kMaxLength);
-}
-
-/// xyz [mm] and roll, pitch, yaw [deg] about the fixed axes.
-Eigen::Isometry3d Pose(const Config& config) {
-  const std::vector<double> xyz = config.Numbers("xyz", 3);
-  const std::vector<double> rpy = config.Has("rpy")
-                                      ? config.Numbers("rpy", 3)
-                                      : std::vector<double>{0, 0, 0};
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.translation() = kMm * Vector3d(xyz[0], xyz[1], xyz[2]);
-  X.linear() = (Eigen::AngleAxisd(kDeg * rpy[2], Vector3d::UnitZ()) *
-                Eigen::AngleAxisd(kDeg * rpy[1], Vector3d::UnitY()) *
-                Eigen::AngleAxisd(kDeg * rpy[0], Vector3d::UnitX()))
-                   .toRotationMatrix();
-  return X;
 }
 
 Site SiteFromConfig(const Config& config, const std::string& host) {
@@ -39,7 +25,7 @@ Site SiteFromConfig(const Config& config, const std::string& host) {
   site.name = host + "." + config.Get<std::string>("name");
   site.type = config.Get<std::string>("type");
   site.host = host;
-  site.X_HS = Pose(config);
+  site.X_HS = PoseInMm(config);
   site.approach = Length(config, "approach");
   site.opening = Length(config, "opening");
   site.depth = Length(config, "depth");
@@ -58,7 +44,7 @@ Thread ThreadFromConfig(const Config& config) {
 
 Grasp GraspFromConfig(const Config& config) {
   Grasp grasp;
-  grasp.X_OG = Pose(config);
+  grasp.X_OG = PoseInMm(config);
   grasp.width = Length(config, "width");
   if (config.Has("grips")) {
     grasp.grips = config.Get<std::vector<std::string>>("grips");
@@ -73,6 +59,23 @@ std::array<double, 3> Colour(const Config& config) {
     if (!(c >= 0 && c <= 1)) config["colour"].Fail("lies outside [0, 1]");
   }
   return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// Of an articulated part: it is gripped by its handle alone.
+void ReadJoint(const Config& config, Part* part) {
+  if (part->is_fixed) {
+    config["joint"].Fail("a part that is fixed does not move");
+  }
+  part->joint = PartJoint::FromConfig(config["joint"]);
+  if (!config.Has("handle")) {
+    config.Fail(
+        "an articulated part needs a handle: {xyz, rpy, width}, where to grip");
+  }
+  part->grasps = {GraspFromConfig(config["handle"])};
+  const Vector3d p_OG = part->grasps.front().X_OG.translation();
+  if (!(part->joint->LeverAt(p_OG) > kLeastLever)) {
+    config["handle"].Fail("lies on the axis of the hinge");
+  }
 }
 
 Part PartFromConfig(const Config& config, const std::string& name) {
@@ -100,10 +103,27 @@ Part PartFromConfig(const Config& config, const std::string& name) {
   for (const Config& site : config.ItemsOf("sites")) {
     part.sites.push_back(SiteFromConfig(site, name));
   }
+  if (config.Has("joint")) {
+    ReadJoint(config, &part);
+    return part;
+  }
   for (const Config& grasp : config.ItemsOf("grasps")) {
     part.grasps.push_back(GraspFromConfig(grasp));
   }
   return part;
+}
+
+/// The host of an articulated part stands still.
+void CheckJoint(const Config& config, const Part& part,
+                const PartTable& table) {
+  const Part* host = table.Find(part.joint->host);
+  if (host != nullptr && host->is_fixed) return;
+  std::string fixed;
+  for (const Part& other : table.parts()) {
+    if (other.is_fixed) fixed += (fixed.empty() ? "" : ", ") + other.name;
+  }
+  config["on"].Fail("'" + part.joint->host + "' is no fixed part; fixed " +
+                    (fixed.empty() ? "is none" : "are: " + fixed));
 }
 
 /// Names across parts: sites are unique, contact classes and the types that
@@ -123,6 +143,7 @@ void CheckReferences(const Config& config, const PartTable& table) {
   }
   for (const Part& part : table.parts()) {
     const Config entry = config["parts"][part.name];
+    if (part.joint) CheckJoint(entry["joint"], part, table);
     for (const std::string& fit : part.fits) {
       if (!site_types.contains(fit)) {
         entry["fits"].Fail("no site is of type '" + fit + "'");

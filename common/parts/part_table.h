@@ -2,10 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/config/config.h"
+#include "common/parts/part_joint.h"
 #include "common/parts/piece.h"
 
 namespace cell {
@@ -48,12 +50,16 @@ struct Part {
   std::vector<std::string> fits;  ///< site types it may be seated at
   std::vector<Piece> pieces;
   std::vector<Site> sites;
-  std::vector<Grasp> grasps;
+  std::vector<Grasp> grasps;  ///< of an articulated part: its handle
   /// Rotations about z of O that leave it as it is: 0 any angle, else n-fold.
   int symmetry_order = 1;
   bool is_fixed = false;           ///< clamped to the pedestal
+  std::optional<PartJoint> joint;  ///< of an articulated part
   double density = 0;              ///< [kg/m^3]
   std::array<double, 3> colour{};  ///< 0..1
+
+  /// Nothing holds it where it is.
+  bool is_free() const { return !is_fixed && !joint; }
 };
 
 /// All parts of a task (DESIGN contract 8).

@@ -244,4 +244,18 @@ std::vector<Piece> PiecesFromConfig(const Config& config) {
   return pieces;
 }
 
+Eigen::Isometry3d PoseInMm(const Config& config) {
+  const std::vector<double> xyz = config.Numbers("xyz", 3);
+  const std::vector<double> rpy = config.Has("rpy")
+                                      ? config.Numbers("rpy", 3)
+                                      : std::vector<double>{0, 0, 0};
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() = kMm * Vector3d(xyz[0], xyz[1], xyz[2]);
+  X.linear() = (Eigen::AngleAxisd(kDeg * rpy[2], Vector3d::UnitZ()) *
+                Eigen::AngleAxisd(kDeg * rpy[1], Vector3d::UnitY()) *
+                Eigen::AngleAxisd(kDeg * rpy[0], Vector3d::UnitX()))
+                   .toRotationMatrix();
+  return X;
+}
+
 }  // namespace cell

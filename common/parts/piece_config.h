@@ -27,6 +27,10 @@ namespace cell {
 /// @throws ConfigError if a piece is not convex or has no volume.
 std::vector<Piece> PiecesFromConfig(const Config& config);
 
+/// Reads xyz [mm] and, unless left out, roll, pitch, yaw [deg] about the fixed
+/// axes.
+Eigen::Isometry3d PoseInMm(const Config& config);
+
 inline constexpr double kMm = 1e-3;
 
 }  // namespace cell

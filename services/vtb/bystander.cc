@@ -167,7 +167,7 @@ std::vector<std::string> Bystander::LooseParts(const World& world) const {
   std::vector<std::string> loose;
   for (size_t i = 0; i < world.table().parts().size(); ++i) {
     const Part& part = world.table().parts()[i];
-    if (part.is_fixed || world.hands().IsHeld(static_cast<int>(i))) continue;
+    if (!part.is_free() || world.hands().IsHeld(static_cast<int>(i))) continue;
     const Isometry3d X_WO = world.PoseOf(part.name);
     const bool is_at_gripper =
         std::ranges::any_of(world.layout().arms, [&](const ArmLayout& arm) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sec/seat.h"
+
 namespace cell::vtb {
 namespace {
 
@@ -43,10 +45,10 @@ std::optional<std::string> Deeds::SeatOf(const std::string& name,
       if (rule == nullptr) continue;
       const Eigen::Isometry3d X_SO =
           (world.PoseOf(host.name) * site.X_HS).inverse() * X_WO;
-      const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
-      if (std::abs(X_SO.translation().z()) < kSeatSlack * rule->seated.z &&
-          X_SO.translation().head<2>().norm() < kSeatSlack * rule->seated.xy &&
-          tilt < kSeatSlack * rule->seated.tilt) {
+      const SeatTolerance& seated = rule->seated;
+      if (IsSeated(X_SO, 0,
+                   {kSeatSlack * seated.z, kSeatSlack * seated.xy,
+                    kSeatSlack * seated.tilt})) {
         return site.name;
       }
     }
@@ -60,7 +62,7 @@ bool Deeds::IsTooEarly(const Part& part, const std::string& site,
   const PlacementRule* rule = RuleOf(part, *world.table().FindSite(site));
   for (const std::string& earlier : rule->after) {
     for (const Part& other : world.table().parts()) {
-      if (other.type == book_->rules.at(earlier).part_type && !other.is_fixed &&
+      if (other.type == book_->rules.at(earlier).part_type && other.is_free() &&
           !SeatOf(other.name, world)) {
         return true;
       }

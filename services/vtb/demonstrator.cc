@@ -218,7 +218,7 @@ std::vector<std::string> Demonstrator::FreeParts(const std::string& type,
                                                  const World& world) const {
   std::vector<std::string> free;
   for (const Part& part : world.table().parts()) {
-    if (part.type != type || part.is_fixed) continue;
+    if (part.type != type || !part.is_free()) continue;
     const bool is_used = std::ranges::any_of(
         placements_, [&](const Placement& p) { return p.part == part.name; });
     if (!is_used) free.push_back(part.name);

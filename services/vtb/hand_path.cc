@@ -57,6 +57,14 @@ HandPath HandPath::Straight(const Isometry3d& from, const Isometry3d& to,
   return path;
 }
 
+HandPath HandPath::About(const Isometry3d& from, const Vector3d& p_W,
+                         const Vector3d& axis, double angle, double duration) {
+  HandPath path(from);
+  path.arc_ = {p_W, axis, angle};
+  path.duration_ = duration;
+  return path;
+}
+
 HandPath HandPath::Over(const Isometry3d& from, const Isometry3d& to,
                         double clear_z, double top_z, double bend,
                         const Speeds& speeds) {
@@ -101,6 +109,12 @@ Isometry3d HandPath::At(double time) const {
     const double s = MinimumJerk((time - turn_start_) / turn_duration_);
     X.linear() =
         Eigen::AngleAxisd(s * turn_.norm(), turn_.normalized()) * X.linear();
+  }
+  if (arc_.angle != 0) {
+    const double s = MinimumJerk(time / duration_);
+    X = Eigen::Translation3d(arc_.p_W) *
+        Eigen::AngleAxisd(s * arc_.angle, arc_.axis) *
+        Eigen::Translation3d(-arc_.p_W) * X;
   }
   return X;
 }

@@ -27,6 +27,11 @@ class HandPath {
   static HandPath Straight(const Eigen::Isometry3d& from,
                            const Eigen::Isometry3d& to, double duration);
 
+  /// Turns evenly about an axis of W through `p_W`.
+  static HandPath About(const Eigen::Isometry3d& from,
+                        const Eigen::Vector3d& p_W, const Eigen::Vector3d& axis,
+                        double angle, double duration);
+
   /// Up, across and down; it moves across and turns only above `clear_z`.
   /// `bend` [m] curves the way across to the left.
   static HandPath Over(const Eigen::Isometry3d& from,
@@ -49,6 +54,12 @@ class HandPath {
   std::vector<Leg> legs_;
   double turn_start_ = 0, turn_duration_ = 0;
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  // rotation vector in W
+  struct Arc {
+    Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+    double angle = 0;  // [rad] in the whole duration
+  };
+  Arc arc_;
   double duration_ = 0;
 };
 

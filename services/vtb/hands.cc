@@ -32,21 +32,25 @@ Isometry3d AboutZ(double angle) {
   return Isometry3d(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
 }
 
+/// 1, or -1 if the weld's error of rotation is near the quaternion -1.
+double WeldSide(const mjModel& model, const mjData& data, int equality) {
+  const auto quat = [](const mjtNum* wxyz) {
+    return Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  };
+  const Quaterniond q_W1 = quat(data.xquat + 4 * model.eq_obj1id[equality]);
+  const Quaterniond q_W2 = quat(data.xquat + 4 * model.eq_obj2id[equality]);
+  const Quaterniond q_12 = quat(model.eq_data + mjNEQDATA * equality + 6);
+  return (q_W2.conjugate() * q_W1 * q_12).w() < 0 ? -1 : 1;
+}
+
 }  // namespace
 
-Hands::Hands(const PartTable& table, const CellLayout& layout, mjModel& model,
-             mjData& data)
-    : table_(table), model_(model), data_(data) {
+Hands::Hands(const PartTable& table, const CellLayout& layout,
+             const PartBodies& bodies, mjModel& model, mjData& data)
+    : table_(table), model_(model), data_(data), bodies_(bodies) {
   const auto id = [&](mjtObj type, const std::string& name) {
     return mj_name2id(&model_, type, name.c_str());
   };
-  for (const Part& part : table.parts()) {
-    const int body = id(mjOBJ_BODY, part.name);
-    bodies_.push_back(body);
-    const int joint = model_.body_jntadr[body];
-    qpos_.push_back(joint < 0 ? -1 : model_.jnt_qposadr[joint]);
-    centres_.push_back(MomentsOf(part.pieces).centre);
-  }
   const auto add = [&](const std::string& name, const HandType& type) {
     Fixture& fixture = fixtures_.emplace_back();
     fixture.name = name;
@@ -89,15 +93,6 @@ size_t Hands::IndexOf(const std::string& hand) const {
   throw std::invalid_argument("no hand is named '" + hand + "'");
 }
 
-int Hands::PartIndex(const std::string& part) const {
-  const auto& parts = table_.parts();
-  const auto it = std::ranges::find(parts, part, &Part::name);
-  if (it == parts.end()) {
-    throw std::invalid_argument("no part is named '" + part + "'");
-  }
-  return static_cast<int>(it - parts.begin());
-}
-
 void Hands::Move(const std::string& hand, const Isometry3d& X_WG,
                  double opening) {
   State& state = states_[IndexOf(hand)];
@@ -129,19 +124,16 @@ void Hands::Grip(const std::string& hand, const std::string& part) {
   const Fixture& fixture = fixtures_[index];
   State& state = states_[index];
   if (state.part >= 0) throw std::logic_error(hand + " holds a part already");
-  const int part_index = PartIndex(part);
-  const auto p = static_cast<size_t>(part_index);
+  const size_t p = bodies_.IndexOf(part);
   if (fixture.grips[p] < 0) throw std::invalid_argument(part + " is fixed");
-  state.part = part_index;
+  state.part = static_cast<int>(p);
   state.roll = state.roll_goal = 0;
-  const int address = qpos_[p];
-  state.X_GO_grip =
-      state.X_WG.inverse() *
-      PoseFromMujoco(data_.qpos + address, data_.qpos + address + 3);
-  if (fixture.is_person) {
+  state.X_GO_grip = state.X_WG.inverse() * bodies_.PoseOf(p, data_);
+  if (fixture.is_person && table_.parts()[p].is_free()) {
     // The person carries the weight.
-    data_.xfrc_applied[6 * bodies_[p] + 2] =
-        -model_.opt.gravity[2] * model_.body_mass[bodies_[p]];
+    const int body = bodies_[p].id;
+    data_.xfrc_applied[6 * body + 2] =
+        -model_.opt.gravity[2] * model_.body_mass[body];
   }
   model_.eq_active[fixture.grips[p]] = 1;
   Pull(index, state.X_WG, 0);
@@ -153,7 +145,7 @@ void Hands::Release(const std::string& hand) {
   if (state.part < 0) throw std::logic_error(hand + " holds nothing");
   const auto part = static_cast<size_t>(state.part);
   model_.eq_active[fixtures_[index].grips[part]] = 0;
-  data_.xfrc_applied[6 * bodies_[part] + 2] = 0;
+  data_.xfrc_applied[6 * bodies_[part].id + 2] = 0;
   state.part = -1;
   state.roll = state.roll_goal = 0;
 }
@@ -170,6 +162,10 @@ std::optional<std::string> Hands::HeldBy(const std::string& hand) const {
 
 const Hands::State& Hands::StateOf(const std::string& hand) const {
   return states_[IndexOf(hand)];
+}
+
+bool Hands::IsHeld(const std::string& part) const {
+  return IsHeld(static_cast<int>(bodies_.IndexOf(part)));
 }
 
 bool Hands::IsHeld(int part) const {
@@ -247,17 +243,23 @@ void Hands::Pull(size_t index, const Isometry3d& X_WL, double roll) {
   const int mocap = fixtures_[index].mocap;
   PoseToMujoco(X_WL, data_.mocap_pos + 3 * mocap, data_.mocap_quat + 4 * mocap);
   const auto part = static_cast<size_t>(state.part);
-  SetWeld(AboutZ(roll) * state.X_GO_grip, centres_[part], model_,
+  SetWeld(AboutZ(roll) * state.X_GO_grip, bodies_[part].centre, model_,
           fixtures_[index].grips[part]);
 }
 
-/// The weld's rows of the constraints, as the part's free joint feels them:
-/// three forces in W at its origin, three torques in O.
 Wrench Hands::GripWrench(size_t index) const {
   const State& state = states_[index];
   const auto part = static_cast<size_t>(state.part);
   const int equality = fixtures_[index].grips[part];
-  const int dof = model_.body_dofadr[bodies_[part]];
+  return table_.parts()[part].joint ? OnArticulatedPart(state, equality)
+                                    : OnFreePart(state, equality);
+}
+
+/// The weld's rows of the constraints, as the part's free joint feels them:
+/// three forces in W at its origin, three torques in O.
+Wrench Hands::OnFreePart(const State& state, int equality) const {
+  const auto part = static_cast<size_t>(state.part);
+  const int dof = bodies_[part].dof;
   Eigen::Matrix<double, 6, 1> on_part = Eigen::Matrix<double, 6, 1>::Zero();
   for (int row = 0; row < data_.nefc; ++row) {
     if (data_.efc_type[row] != mjCNSTR_EQUALITY ||
@@ -271,15 +273,37 @@ Wrench Hands::GripWrench(size_t index) const {
       on_part[column] += data_.efc_J[address + k] * data_.efc_force[row];
     }
   }
-  const int address = qpos_[part];
-  const Isometry3d X_WO =
-      PoseFromMujoco(data_.qpos + address, data_.qpos + address + 3);
+  const Isometry3d X_WO = bodies_.PoseOf(part, data_);
   const Isometry3d X_GO = AboutZ(state.roll) * state.X_GO_grip;
   const Eigen::Matrix3d R_GW = X_GO.linear() * X_WO.linear().transpose();
   Wrench on_hand;
   on_hand.force = -R_GW * on_part.head<3>();
   on_hand.torque = -X_GO.linear() * on_part.tail<3>() +
                    X_GO.translation().cross(on_hand.force);
+  return on_hand;
+}
+
+/// A joint feels one component only, so here the rows themselves: the weld
+/// pushes the wrist by their force f [N] in W at the part's centre of mass, and
+/// turns it by half of the rest [N m] in O (its error of rotation is the vector
+/// part of a quaternion, of either sign).
+Wrench Hands::OnArticulatedPart(const State& state, int equality) const {
+  const auto part = static_cast<size_t>(state.part);
+  Eigen::Matrix<double, 6, 1> rows = Eigen::Matrix<double, 6, 1>::Zero();
+  int num_rows = 0;
+  for (int row = 0; row < data_.nefc && num_rows < 6; ++row) {
+    if (data_.efc_type[row] == mjCNSTR_EQUALITY &&
+        data_.efc_id[row] == equality) {
+      rows[num_rows++] = data_.efc_force[row];
+    }
+  }
+  const Isometry3d X_WO = bodies_.PoseOf(part, data_);
+  const Isometry3d X_GO = AboutZ(state.roll) * state.X_GO_grip;
+  Wrench on_hand;
+  on_hand.force = X_GO.linear() * X_WO.linear().transpose() * rows.head<3>();
+  on_hand.torque =
+      WeldSide(model_, data_, equality) * X_GO.linear() * rows.tail<3>() / 2 +
+      (X_GO * bodies_[part].centre).cross(on_hand.force);
   return on_hand;
 }
 

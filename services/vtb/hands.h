@@ -10,6 +10,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "services/vtb/body_pose.h"
+#include "services/vtb/part_bodies.h"
 
 namespace cell::vtb {
 
@@ -37,8 +38,8 @@ class Hands {
   };
 
   /// All must outlive this object.
-  Hands(const PartTable& table, const CellLayout& layout, mjModel& model,
-        mjData& data);
+  Hands(const PartTable& table, const CellLayout& layout,
+        const PartBodies& bodies, mjModel& model, mjData& data);
 
   /// At rest and open.
   void Reset();
@@ -62,7 +63,7 @@ class Hands {
   std::optional<std::string> HeldBy(const std::string& hand) const;
   const State& StateOf(const std::string& hand) const;
   bool IsHeld(int part) const;
-  bool IsHeld(const std::string& part) const { return IsHeld(PartIndex(part)); }
+  bool IsHeld(const std::string& part) const;
   /// On the hand by what it holds, in G about its origin, mean over the last
   /// call of World::Run(). Zero of a hand that holds nothing.
   Wrench WrenchOn(const std::string& hand) const;
@@ -92,18 +93,17 @@ class Hands {
   };
 
   size_t IndexOf(const std::string& hand) const;
-  int PartIndex(const std::string& part) const;
   void Step(size_t index, double fraction, double duration);
   void Put(size_t index, const Eigen::Isometry3d& X_WG, double opening);
   void Pull(size_t index, const Eigen::Isometry3d& X_WL, double roll);
   Wrench GripWrench(size_t index) const;
+  Wrench OnFreePart(const State& state, int equality) const;
+  Wrench OnArticulatedPart(const State& state, int equality) const;
 
   const PartTable& table_;
   mjModel& model_;
   mjData& data_;
-  std::vector<int> bodies_;  // of the parts
-  std::vector<int> qpos_;    // of the parts' free joints; -1: fixed
-  std::vector<Eigen::Vector3d> centres_;  // of mass of the parts, in O
+  const PartBodies& bodies_;
   std::vector<Fixture> fixtures_;
   std::vector<State> states_;
 };

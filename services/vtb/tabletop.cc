@@ -120,7 +120,7 @@ Tabletop::Tabletop(const PartTable& table, const CellLayout& layout, double gap)
     : area_(layout.parts_area), gap_(gap) {
   for (const Part& part : table.parts()) {
     extents_.emplace(part.name, PartExtent(part));
-    if (!part.is_fixed) free_parts_.push_back(part.name);
+    if (part.is_free()) free_parts_.push_back(part.name);
   }
   std::ranges::stable_sort(
       free_parts_, std::ranges::greater{},

@@ -42,7 +42,7 @@ class Tabletop {
   /// Whether parts may lie so; an empty one accepts all.
   using Accept = std::function<bool(const std::vector<Placed>& scene)>;
 
-  /// Random poses of all parts that are not fixed.
+  /// Random poses of all free parts.
   /// @throws std::runtime_error if they do not fit in 1000 attempts.
   std::vector<Placed> Scatter(std::mt19937_64& random,
                               const Accept& accept = {}) const;

@@ -70,13 +70,7 @@ World::World(const PartTable& table, const CellLayout& layout,
   const auto id = [&](mjtObj type, const std::string& name) {
     return mj_name2id(model_.get(), type, name.c_str());
   };
-  for (const Part& part : table_->parts()) {
-    const int body = id(mjOBJ_BODY, part.name);
-    bodies_.push_back(body);
-    const int joint = model_->body_jntadr[body];
-    qpos_.push_back(joint < 0 ? -1 : model_->jnt_qposadr[joint]);
-    centres_.push_back(MomentsOf(part.pieces).centre);
-  }
+  bodies_ = std::make_unique<PartBodies>(*table_, *layout_, *model_);
   for (const Part& host : table_->parts()) {
     for (const Site& site : host.sites) {
       for (const Part& part : table_->parts()) {
@@ -94,7 +88,8 @@ World::World(const PartTable& table, const CellLayout& layout,
       }
     }
   }
-  hands_ = std::make_unique<Hands>(*table_, *layout_, *model_, *data_);
+  hands_ =
+      std::make_unique<Hands>(*table_, *layout_, *bodies_, *model_, *data_);
   Reset();
 }
 
@@ -110,16 +105,34 @@ void World::Reset() {
 }
 
 int World::PartIndex(const std::string& part) const {
-  for (size_t i = 0; i < table_->parts().size(); ++i) {
-    if (table_->parts()[i].name == part) return static_cast<int>(i);
-  }
-  throw std::invalid_argument("no part is named '" + part + "'");
+  return static_cast<int>(bodies_->IndexOf(part));
 }
 
 void World::Place(const std::string& part, const Isometry3d& X_WO) {
-  const int address = qpos_[static_cast<size_t>(PartIndex(part))];
-  if (address < 0) throw std::invalid_argument(part + " is fixed");
+  const size_t index = bodies_->IndexOf(part);
+  if (!table_->parts()[index].is_free()) {
+    throw std::invalid_argument(part + " is fixed or moves on a joint");
+  }
+  const int address = (*bodies_)[index].qpos;
   PoseToMujoco(X_WO, data_->qpos + address, data_->qpos + address + 3);
+}
+
+size_t World::ArticulatedIndex(const std::string& part) const {
+  const size_t index = bodies_->IndexOf(part);
+  if (!table_->parts()[index].joint) {
+    throw std::invalid_argument(part + " is not articulated");
+  }
+  return index;
+}
+
+void World::SetJoint(const std::string& part, double position) {
+  const PartBodies::Body& body = (*bodies_)[ArticulatedIndex(part)];
+  data_->qpos[body.qpos] = position;
+  data_->qvel[body.dof] = 0;
+}
+
+double World::JointOf(const std::string& part) const {
+  return data_->qpos[(*bodies_)[ArticulatedIndex(part)].qpos];
 }
 
 void World::Run(int num_steps) {
@@ -168,7 +181,8 @@ void World::StepThread(ThreadJoint& joint) {
   model_->eq_active[joint.freeze] = is_frozen;
   if (is_frozen) {
     SetWeld(X_HS * joint.engagement.X_SO(),
-            centres_[static_cast<size_t>(joint.part)], *model_, joint.freeze);
+            (*bodies_)[static_cast<size_t>(joint.part)].centre, *model_,
+            joint.freeze);
   }
 }
 
@@ -180,10 +194,7 @@ int World::num_contacts() const {
 }
 
 Isometry3d World::PoseAt(int part) const {
-  const auto index = static_cast<size_t>(part);
-  const int address = qpos_[index];
-  if (address < 0) return layout_->pedestal.X_WP;
-  return PoseFromMujoco(data_->qpos + address, data_->qpos + address + 3);
+  return bodies_->PoseOf(static_cast<size_t>(part), *data_);
 }
 
 Isometry3d World::PoseOf(const std::string& part) const {
@@ -191,10 +202,7 @@ Isometry3d World::PoseOf(const std::string& part) const {
 }
 
 double World::SpeedOf(const std::string& part) const {
-  const int body = bodies_[static_cast<size_t>(PartIndex(part))];
-  const int dof = model_->body_dofadr[body];
-  if (dof < 0) return 0;
-  return Eigen::Map<const Vector3d>(data_->qvel + dof).norm();
+  return bodies_->SpeedOf(bodies_->IndexOf(part), *data_);
 }
 
 const World::ThreadJoint* World::FindJoint(const std::string& site,

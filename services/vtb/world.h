@@ -11,6 +11,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "services/vtb/hands.h"
+#include "services/vtb/part_bodies.h"
 #include "services/vtb/thread_engagement.h"
 #include "services/vtb/world_xml.h"
 
@@ -42,7 +43,11 @@ class World {
   /// All parts at their frames' W, hands at rest and open, time 0.
   void Reset();
   /// Puts a free part somewhere, at rest.
+  /// @throws std::invalid_argument for one that is fixed or articulated.
   void Place(const std::string& part, const Eigen::Isometry3d& X_WO);
+  /// Puts an articulated part at a position of its joint, at rest.
+  /// @throws std::invalid_argument for another one.
+  void SetJoint(const std::string& part, double position);
 
   /// What hands do from now on.
   Hands& hands() { return *hands_; }
@@ -54,7 +59,11 @@ class World {
   double time() const;
   int num_contacts() const;
   Eigen::Isometry3d PoseOf(const std::string& part) const;
-  double SpeedOf(const std::string& part) const;  ///< [m/s] of its origin
+  /// [m/s] Of its origin; of an articulated part, of its handle.
+  double SpeedOf(const std::string& part) const;
+  /// [rad] or [m] Of an articulated part.
+  /// @throws std::invalid_argument for another one.
+  double JointOf(const std::string& part) const;
   /// True if a thread has taken hold of the part.
   bool IsOnThread(const std::string& site, const std::string& part) const;
   /// True if a thread's last turn has been made.
@@ -84,6 +93,7 @@ class World {
   const ThreadJoint* FindJoint(const std::string& site,
                                const std::string& part) const;
   int PartIndex(const std::string& part) const;
+  size_t ArticulatedIndex(const std::string& part) const;
   void CheckPhysics() const;
   Eigen::Isometry3d PoseAt(int part) const;
   void StepThread(ThreadJoint& joint);
@@ -99,9 +109,7 @@ class World {
   };
   std::unique_ptr<mjModel, DeleteModel> model_;
   std::unique_ptr<mjData, DeleteData> data_;
-  std::vector<int> bodies_;  // of the parts
-  std::vector<int> qpos_;    // address of the parts' free joints; -1: fixed
-  std::vector<Eigen::Vector3d> centres_;  // of mass, in O
+  std::unique_ptr<PartBodies> bodies_;
   std::unique_ptr<Hands> hands_;
   std::vector<ThreadJoint> threads_;
 };

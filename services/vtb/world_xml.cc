@@ -124,14 +124,17 @@ class Writer {
   }
 
   void WritePart(const Part& part) {
-    const Isometry3d X_WO =
-        part.is_fixed ? layout_.pedestal.X_WP : Isometry3d::Identity();
+    Isometry3d X_WO = Isometry3d::Identity();
+    if (!part.is_free()) X_WO = layout_.pedestal.X_WP;
+    if (part.joint) X_WO = X_WO * part.joint->X_HO_zero;
     Append(bodies_, "<body name='{}' {}>", part.name, PoseAttributes(X_WO));
+    if (part.joint) WriteJoint(*part.joint);
+    if (part.is_free()) Append(bodies_, "<freejoint/>");
     if (!part.is_fixed) {
       const VolumeMoments m = MomentsOf(part.pieces);
       const Eigen::Matrix3d I = part.density * m.inertia;
       Append(bodies_,
-             "<freejoint/><inertial pos='{}' mass='{:.17g}' fullinertia='"
+             "<inertial pos='{}' mass='{:.17g}' fullinertia='"
              "{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}'/>\n",
              Text(m.centre), part.density * m.volume, I(0, 0), I(1, 1), I(2, 2),
              I(0, 1), I(0, 2), I(1, 2));
@@ -140,6 +143,18 @@ class Writer {
       if (!piece.contact_class.empty()) WritePiece(piece);
     }
     Append(bodies_, "</body>\n");
+  }
+
+  void WriteJoint(const PartJoint& joint) {
+    const bool is_hinge = joint.kind == PartJoint::Kind::kHinge;
+    Append(bodies_,
+           "<joint type='{}' pos='{}' axis='{}' limited='true'"
+           " range='{:.17g} {:.17g}' solreflimit='{:.17g} 1'"
+           " solimplimit='0.98 0.995 0.0002'"
+           " frictionloss='{:.17g}' damping='{:.17g}'/>",
+           is_hinge ? "hinge" : "slide", Text(joint.p_OA), Text(joint.axis),
+           joint.lower, joint.upper, std::max(0.004, 2 * params_.dt),
+           joint.friction, joint.damping);
   }
 
   void WritePiece(const Piece& piece) {

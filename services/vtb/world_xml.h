@@ -32,8 +32,9 @@ std::string ThreadPointName(const std::string& site, const std::string& part,
 std::string ThreadFreezeName(const std::string& site, const std::string& part);
 
 /// The cell as a MuJoCo model: a plane table, the pedestal with the fixed
-/// parts, free parts, hands. Only pieces with a contact class appear; masses
-/// come from the shapes. Every grip and thread is an inactive equality.
+/// parts, articulated parts on them, free parts, hands. Only pieces with a
+/// contact class appear; masses come from the shapes. Every grip and thread is
+/// an inactive equality.
 /// @throws std::invalid_argument for more contact classes than mask bits.
 std::string WorldXml(const PartTable& table, const CellLayout& layout,
                      const PhysicsParams& params);

@@ -76,11 +76,8 @@ class AssemblingCell {
   }
 
   AssemblyScore Score() const {
-    const ShippedTask task;
-    return ScoreAssembly(
-        looks_.earlier(), looks_.last(), task.parts,
-        vtb::DemonstratorBook::FromConfig(
-            ShippedDeployment().OfTask("demonstrators.yaml"), task.parts));
+    return ScoreAssembly(looks_.earlier(), looks_.last(),
+                         SuccessCriterion::Load(ShippedDeployment()));
   }
 
  private:

@@ -131,11 +131,8 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
       looks.Put(std::move(poses));
     }
   }
-  const ShippedTask task;
-  const DemonstratorBook book = DemonstratorBook::FromConfig(
-      deployment.OfTask("demonstrators.yaml"), task.parts);
-  outcome.score =
-      ScoreAssembly(looks.earlier(), looks.last(), task.parts, book);
+  outcome.score = ScoreAssembly(looks.earlier(), looks.last(),
+                                SuccessCriterion::Load(deployment));
   outcome.seconds = bus.last_tick().header.tick * kTickUs * 1e-6;
   return outcome;
 }

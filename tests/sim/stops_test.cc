@@ -24,12 +24,6 @@ namespace {
 
 constexpr double kStays = 0.5e-3;  // [m] that what is placed may move
 
-struct Book {
-  ShippedTask task;
-  vtb::DemonstratorBook book = vtb::DemonstratorBook::FromConfig(
-      ShippedDeployment().OfTask("demonstrators.yaml"), task.parts);
-};
-
 /// The shipped deployment with arms that stop at a smaller force.
 Deployment WithStopForce(const std::string& newtons) {
   Deployment deployment = ShippedDeployment();
@@ -92,9 +86,9 @@ TEST(Stops, WhatIsScrewedInIsLetGoOfAfterAProtectiveStopAndNotCarriedOff) {
 class StopsInEverySkill : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(StopsInEverySkill, MoveNothingThatWasPlacedAndAreGotOver) {
-  const Book book;
+  const auto success = SuccessCriterion::Load(ShippedDeployment());
   AssemblingCell cell(GetParam());
-  StopInjector stops(cell.bus(), book.task.parts, book.book, GetParam());
+  StopInjector stops(cell.bus(), success, GetParam());
   cell.OnMessage([&](const Message& message) { stops.Put(message); });
   const SkillWatch skills(cell);
   cell.Run();

@@ -163,6 +163,7 @@ TEST_P(Task, IsRefusedByEveryCommandBeforeAnythingStarts) {
 
 constexpr char kDomain[] = "tasks/cranfield/domain.yaml";
 constexpr char kParts[] = "tasks/cranfield/parts.yaml";
+constexpr char kSuccess[] = "tasks/cranfield/success.yaml";
 constexpr char kScripts[] = "tasks/cranfield/demonstrators.yaml";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -183,6 +184,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "says the opposite"},
         Mistake{"GoalOfNoDomain", kScripts, "s/^goal: assembled/goal: done/",
                 "demonstrators.yaml:goal: domain.yaml has no goal"},
+        Mistake{"SuccessOfNoGoal", kSuccess, "s/^goal: assembled/goal: done/",
+                "success.yaml:goal: domain.yaml has no goal 'done', but: "},
+        Mistake{"SuccessLeavesOut", kSuccess, "/^  HeadScrewed:/d",
+                "success.yaml:seated: says nothing of HeadScrewed(head)"},
+        Mistake{
+            "HingeWithoutLimits", kParts,
+            "/^  head:$/i\\  lid: {type: head, symmetry_order: 1, density: "
+            "900, colour: [1, 1, 1], pieces: [{kind: box, center: [0, 0, "
+            "0], size: [9, 9, 9]}], joint: {on: base, xyz: [0, 0, 0], kind: "
+            "hinge, axis: [0, 0, 1], at: [0, 0, 0], friction: 0, damping: "
+            "0}, handle: {xyz: [50, 0, 0], width: 9}}",
+            "parts.yaml:parts.lid.joint: a hinge needs limits_deg: "
+            "[lower, upper]"},
         Mistake{"EmptyGoal", kDomain, "s/^  round_pegs:/  nothing: []\\n&/",
                 "goals.nothing: wants nothing"},
         Mistake{"OtherArm", "tasks/cranfield/cell.yaml",

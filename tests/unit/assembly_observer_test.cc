@@ -58,9 +58,8 @@ class AssemblyObserverTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  vtb::DemonstratorBook book_ = vtb::DemonstratorBook::FromConfig(
-      ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
-  AssemblyObserver observer_{task_.parts, book_};
+  SuccessCriterion success_ = SuccessCriterion::Load(ShippedDeployment());
+  AssemblyObserver observer_{success_};
   int64_t utime_ = 0;
 };
 

@@ -37,7 +37,7 @@ class AssemblyScoreTest : public testing::Test {
     return message;
   }
   AssemblyScore Score() const {
-    return ScoreAssembly(Look(0), Look(200'000), task_.parts, book_);
+    return ScoreAssembly(Look(0), Look(200'000), success_);
   }
   void Shift(const std::string& part, const Vector3d& by) {
     poses_[part] = poses_[part] * Translation3d(by);
@@ -48,8 +48,7 @@ class AssemblyScoreTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  vtb::DemonstratorBook book_ = vtb::DemonstratorBook::FromConfig(
-      ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
+  SuccessCriterion success_ = SuccessCriterion::Load(ShippedDeployment());
   std::map<std::string, Isometry3d> poses_;
 };
 
@@ -102,7 +101,7 @@ TEST_F(AssemblyScoreTest, APartOfAnotherTypeInTheSiteDoesNotCount) {
 TEST_F(AssemblyScoreTest, WhatMovesIsNotSeated) {
   const truth_poses_t earlier = Look(0);
   Shift("shaft", {0.0006, 0, 0});
-  EXPECT_THAT(ScoreAssembly(earlier, Look(200'000), task_.parts, book_).missing,
+  EXPECT_THAT(ScoreAssembly(earlier, Look(200'000), success_).missing,
               ElementsAre("base.shaft"));
 }
 
@@ -112,7 +111,7 @@ TEST_F(AssemblyScoreTest, WhatSitsOnAMissingPartIsMissingToo) {
 }
 
 TEST_F(AssemblyScoreTest, TwoLooksMustBeApart) {
-  EXPECT_THROW(ScoreAssembly(Look(0), Look(50'000), task_.parts, book_),
+  EXPECT_THROW(ScoreAssembly(Look(0), Look(50'000), success_),
                std::invalid_argument);
 }
 

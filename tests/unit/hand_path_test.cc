@@ -52,5 +52,28 @@ TEST(HandPath, GoesAcrossOnlyAboveTheClearHeight) {
   }
 }
 
+// Property: about an axis, whatever the angle, its points stay and the hand
+// keeps its place beside it.
+TEST(HandPath, AboutAnAxisKeepsItsDistance) {
+  const Eigen::Vector3d p_W(0.1, 0.2, 0.3);
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
+  Eigen::Isometry3d from = Eigen::Isometry3d::Identity();
+  from.translation() << 0.4, -0.1, 0.2;
+  for (const double angle : {-2.0, -1e-6, 0.0, 0.5, 1.8}) {
+    const HandPath path = HandPath::About(from, p_W, axis, angle, 2);
+    EXPECT_EQ(path.duration(), 2);
+    EXPECT_TRUE(path.At(0).isApprox(from, 1e-12));
+    const Eigen::Vector3d p_before = from.inverse() * p_W;
+    for (const double time : {0.3, 1.0, 2.0, 5.0}) {
+      const Eigen::Vector3d p_now = path.At(time).inverse() * p_W;
+      EXPECT_TRUE(p_now.isApprox(p_before, 1e-12));
+    }
+    const Eigen::Matrix3d turn =
+        path.At(2).linear() * from.linear().transpose();
+    EXPECT_TRUE(turn.isApprox(Eigen::AngleAxisd(angle, axis).toRotationMatrix(),
+                              1e-12));
+  }
+}
+
 }  // namespace
 }  // namespace cell

@@ -102,6 +102,98 @@ TEST(PartTable, RefusesImpossiblePartsByFileAndKey) {
               StartsWith("parts.yaml:parts.cube.pieces[0].kind"));
 }
 
+/// A cover on a hinge, and a box on a slide, of a fixed cube.
+std::string Articulated() {
+  const std::string part =
+      "    type: block\n    symmetry_order: 1\n    density: 1000\n"
+      "    colour: [1, 0, 0]\n"
+      "    pieces: [{kind: box, center: [0, 0, 0], size: [9, 9, 9]}]\n"
+      "    handle: {xyz: [0, -20, 0], width: 9}\n";
+  return With(With(kTable, "PIECE", kBox),
+              "density:", "fixed: true\n    density:") +
+         "  cover:\n" + part +
+         "    joint: {on: cube, xyz: [0, 0, 50], kind: hinge, axis: [2, 0, 0],"
+         " at: [0, 10, 0], limits_deg: [0, 90], friction: 1, damping: 2}\n"
+         "  box:\n" +
+         part +
+         "    joint: {on: cube, xyz: [0, 0, 20], rpy: [0, 0, 90], kind: slide,"
+         " axis: [0, 1, 0], limits_mm: [-5, 40], friction: 3, damping: 4}\n";
+}
+
+TEST(PartTable, AnArticulatedPartHasAJointAndAHandle) {
+  const PartTable table = Load(Articulated());
+  const Part& cover = *table.Find("cover");
+  ASSERT_TRUE(cover.joint);
+  EXPECT_FALSE(cover.is_free());
+  EXPECT_EQ(cover.grasps.size(), 1u);
+  EXPECT_EQ(cover.joint->kind, PartJoint::Kind::kHinge);
+  EXPECT_EQ(cover.joint->host, "cube");
+  EXPECT_NEAR(cover.joint->upper, std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(cover.joint->axis.x(), 1, 1e-12);
+  EXPECT_NEAR(cover.joint->LeverAt(cover.grasps[0].X_OG.translation()), 0.03,
+              1e-12);
+  const PartJoint& slide = *table.Find("box")->joint;
+  EXPECT_EQ(slide.kind, PartJoint::Kind::kSlide);
+  EXPECT_NEAR(slide.lower, -0.005, 1e-12);
+  EXPECT_EQ(slide.friction, 3);
+  EXPECT_EQ(slide.damping, 4);
+}
+
+// Property: a hinge leaves its axis where it is, a slide every direction.
+TEST(PartJoint, TurnsAboutItsAxisOrSlidesAlongIt) {
+  const PartTable table = Load(Articulated());
+  const PartJoint& hinge = *table.Find("cover")->joint;
+  const PartJoint& slide = *table.Find("box")->joint;
+  for (const double position : {-1.0, 0.0, 1e-9, 0.3, 2.0}) {
+    const Eigen::Isometry3d X = hinge.Displacement(position);
+    EXPECT_TRUE((X * hinge.p_OA).isApprox(hinge.p_OA, 1e-12));
+    EXPECT_NEAR(Eigen::AngleAxisd(X.linear()).angle(), std::abs(position),
+                1e-9);
+    EXPECT_TRUE(slide.Displacement(position).translation().isApprox(
+        position * Eigen::Vector3d::UnitY()));
+    EXPECT_TRUE(slide.Displacement(position).linear().isIdentity());
+  }
+}
+
+TEST(PartTable, RefusesImpossibleJointsByFileAndKey) {
+  using testing::StartsWith;
+  const std::string good = Articulated();
+  ASSERT_EQ(ErrorOf(good), "");
+  const auto error = [&](const std::string& what, const std::string& by) {
+    return ErrorOf(With(good, what, by));
+  };
+  EXPECT_THAT(error(" limits_deg: [0, 90],", ""),
+              StartsWith("parts.yaml:parts.cover.joint: a hinge needs "
+                         "limits_deg: [lower, upper]"));
+  EXPECT_THAT(error(" limits_mm: [-5, 40],", " limits_deg: [-5, 40],"),
+              StartsWith("parts.yaml:parts.box.joint: a slide needs "
+                         "limits_mm: [lower, upper]"));
+  EXPECT_THAT(error("[0, 90]", "[90, 0]"),
+              StartsWith("parts.yaml:parts.cover.joint.limits_deg: should be "
+                         "[lower, upper], rising"));
+  EXPECT_THAT(error("[0, 90]", "[10, 90]"),
+              StartsWith("parts.yaml:parts.cover.joint.limits_deg: should hold "
+                         "0"));
+  EXPECT_THAT(error("kind: hinge", "kind: ball"),
+              StartsWith("parts.yaml:parts.cover.joint.kind: 'ball' is neither "
+                         "hinge nor slide"));
+  EXPECT_THAT(error("on: cube", "on: box"),
+              StartsWith("parts.yaml:parts.cover.joint.on: 'box' is no fixed "
+                         "part; fixed are: cube"));
+  EXPECT_THAT(error("axis: [2, 0, 0]", "axis: [0, 0, 0]"),
+              StartsWith("parts.yaml:parts.cover.joint.axis"));
+  EXPECT_THAT(error("    handle: {xyz: [0, -20, 0], width: 9}\n", ""),
+              StartsWith("parts.yaml:parts.cover: an articulated part needs a "
+                         "handle"));
+  EXPECT_THAT(error("xyz: [0, -20, 0]", "xyz: [5, 10, 0]"),
+              StartsWith("parts.yaml:parts.cover.handle: lies on the axis"));
+  EXPECT_THAT(error("    joint: {on: cube, xyz: [0, 0, 50]",
+                    "    fixed: true\n    joint: {on: cube, xyz: [0, 0, 50]"),
+              StartsWith("parts.yaml:parts.cover.joint: a part that is fixed"));
+  EXPECT_THAT(error(" friction: 1,", ""),
+              StartsWith("parts.yaml:parts.cover.joint.friction: missing"));
+}
+
 TEST(PartTable, RefusesAnOutlineThatIsNotConvexOrRunsClockwise) {
   const std::string prism = "prism, z: [0, 10], outline: ";
   EXPECT_EQ(ErrorOf(With(kTable, "PIECE",

@@ -12,8 +12,6 @@
 
 namespace cell::cli {
 
-using namespace vtb;
-
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
     const auto request = Decode<skill_request_t>(message);
@@ -70,7 +68,7 @@ void AssemblyObserver::CompareWithEarlier() {
 
 std::optional<AssemblyScore> AssemblyObserver::Score() const {
   if (!looks_.has_both()) return std::nullopt;
-  return ScoreAssembly(looks_.earlier(), looks_.last(), parts_, book_);
+  return ScoreAssembly(looks_.earlier(), looks_.last(), success_);
 }
 
 }  // namespace cell::cli

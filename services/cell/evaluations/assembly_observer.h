@@ -8,10 +8,8 @@
 
 #include "cell/execution_t.hpp"
 #include "common/bus/message.h"
-#include "common/parts/part_table.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/pose_looks.h"
-#include "services/vtb/script.h"
 
 namespace cell::cli {
 
@@ -32,9 +30,9 @@ class AssemblyObserver {
     int64_t last_utime = 0;
   };
 
-  /// Both must outlive this object.
-  AssemblyObserver(const PartTable& parts, const vtb::DemonstratorBook& book)
-      : parts_(parts), book_(book) {}
+  /// `success` must outlive this object.
+  explicit AssemblyObserver(const SuccessCriterion& success)
+      : success_(success) {}
 
   /// Messages in canonical order. Those that do not decode are passed over.
   void Put(const Message& message);
@@ -47,8 +45,7 @@ class AssemblyObserver {
   void OnPoses(truth_poses_t poses);
   void CompareWithEarlier();
 
-  const PartTable& parts_;
-  const vtb::DemonstratorBook& book_;
+  const SuccessCriterion& success_;
   Record record_;
   std::set<int64_t> inserts_;  // ids of requests
   PoseLooks looks_;

@@ -13,7 +13,6 @@
 
 namespace cell::cli {
 
-using namespace vtb;
 namespace {
 
 using nlohmann::json;
@@ -22,7 +21,7 @@ using nlohmann::json;
 void AddScore(const AssemblyScore& score, const PartTable& parts, json* row) {
   const auto num_with_thread = [&](const std::vector<std::string>& sites) {
     return std::ranges::count_if(sites, [&](const std::string& site) {
-      return parts.FindThread(parts.FindSite(site)->type) != nullptr;
+      return IsThreaded(site, parts);
     });
   };
   const auto turned = num_with_thread(score.seated);
@@ -96,11 +95,9 @@ void AddViolations(const MotionCheck& check, json* row) {
 json RunAssembly(const std::string& script, uint64_t seed,
                  const Deployment& deployment, const Roster& roster,
                  const Intervention& intervene) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const auto book = DemonstratorBook::FromConfig(
-      deployment.OfTask("demonstrators.yaml"), parts);
-  AssemblyObserver observer(parts, book);
+  const auto success = SuccessCriterion::Load(deployment);
+  const PartTable& parts = success.parts;
+  AssemblyObserver observer(success);
   MotionCheck check(CellLayout::FromConfig(deployment.OfTask("cell.yaml")),
                     parts);
   SimBus bus(roster, AllServices(deployment, script, seed));

@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "cell/truth_poses_t.hpp"
-#include "common/parts/part_table.h"
-#include "services/vtb/script.h"
+#include "services/cell/evaluations/success_criterion.h"
 
 namespace cell::cli {
 
 /// What has been put together, by the ground truth over all parts: the one
-/// place that says what success is. A site counts when a part of the right
-/// type sits in it - depth, axis, turn within the rule's tolerances - and
+/// place that says what success is. A literal of the goal counts when the part
+/// sits in its site - depth, axis, turn within the criterion's tolerances - and
 /// rests: it has not moved between two looks.
 struct AssemblyScore {
   std::vector<std::string> seated;   ///< sites, sorted
@@ -25,7 +24,10 @@ struct AssemblyScore {
 /// `earlier` and `now`: two looks at least 0.1 s apart.
 /// @throws std::invalid_argument if not.
 AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
-                            const truth_poses_t& now, const PartTable& parts,
-                            const vtb::DemonstratorBook& book);
+                            const truth_poses_t& now,
+                            const SuccessCriterion& success);
+
+/// True if the last way into a site of a score is by turning.
+bool IsThreaded(const std::string& site, const PartTable& parts);
 
 }  // namespace cell::cli

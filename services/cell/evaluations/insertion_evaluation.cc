@@ -14,6 +14,7 @@
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
 #include "services/robot_arm/robot_arm.h"
+#include "services/vtb/script.h"
 
 namespace cell::cli {
 
@@ -138,7 +139,8 @@ class InsertionEvaluation final : public Evaluation {
                 const Roster& roster) const override {
     const Task task(deployment);
     const SkillDriver::Params driver = DriverFor(task, trial.seed);
-    AssemblyObserver observer(task.parts, task.book);
+    const auto success = SuccessCriterion::Load(deployment);
+    AssemblyObserver observer(success);
     std::optional<skill_result_t> result;
     SimBus bus(RosterOf(roster), Services(deployment, task, trial, driver));
     RunToEnd(bus, [&](const Message& message) {

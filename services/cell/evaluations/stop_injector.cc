@@ -10,7 +10,6 @@
 
 namespace cell::cli {
 
-using namespace vtb;
 namespace {
 
 constexpr int32_t kCalm = 125;          // [ticks] from a stop's end to the next
@@ -76,7 +75,7 @@ void StopInjector::OnReport(const arm_report_t& report) {
 void StopInjector::Choose(const skill_request_t& request, Skill& skill) {
   const std::string part = ArgumentOf(request, "part");
   if (part.empty()) return;
-  const StoppedSkill kind = SkillOf(request, parts_);
+  const StoppedSkill kind = SkillOf(request, success_.parts);
   int& num_tried = num_tried_[{request.arm, request.skill, part}];
   if (num_tried >=
       (kind == StoppedSkill::kInsertTurning ? kMostStopsOfTurning : 1))
@@ -144,7 +143,7 @@ void StopInjector::Remember(const TruthPoses& truth) {
   is_watching_ = true;
   if (!looks_.has_both()) return;
   const AssemblyScore score =
-      ScoreAssembly(looks_.earlier(), looks_.last(), parts_, book_);
+      ScoreAssembly(looks_.earlier(), looks_.last(), success_);
   for (const std::string& part : score.placed) {
     placed_[part] = truth.poses.at(part).translation();
   }

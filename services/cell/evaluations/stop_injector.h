@@ -13,11 +13,10 @@
 #include "cell/skill_request_t.hpp"
 #include "common/bus/sim_bus.h"
 #include "common/geometry/truth_poses.h"
-#include "common/parts/part_table.h"
 #include "common/skills/skill_arguments.h"
 #include "services/cell/evaluations/pose_looks.h"
 #include "services/cell/evaluations/stop_choice.h"
-#include "services/vtb/script.h"
+#include "services/cell/evaluations/success_criterion.h"
 
 namespace cell::cli {
 
@@ -41,9 +40,8 @@ struct MadeStop {
 class StopInjector {
  public:
   /// All must outlive this object.
-  StopInjector(SimBus& bus, const PartTable& parts,
-               const vtb::DemonstratorBook& book, uint64_t seed)
-      : bus_(bus), parts_(parts), book_(book), seed_(seed) {}
+  StopInjector(SimBus& bus, const SuccessCriterion& success, uint64_t seed)
+      : bus_(bus), success_(success), seed_(seed) {}
 
   /// Messages in canonical order. Those that do not decode are passed over.
   void Put(const Message& message);
@@ -68,8 +66,7 @@ class StopInjector {
   void Remember(const TruthPoses& truth);
 
   SimBus& bus_;
-  const PartTable& parts_;
-  const vtb::DemonstratorBook& book_;
+  const SuccessCriterion& success_;
   uint64_t seed_;
   std::map<std::string, Skill> skills_;  // by arm
   std::map<int64_t, skill_request_t> requests_;

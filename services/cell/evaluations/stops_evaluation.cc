@@ -11,7 +11,6 @@
 
 namespace cell::cli {
 
-using namespace vtb;
 namespace {
 
 using nlohmann::json;
@@ -62,15 +61,11 @@ class StopsEvaluation final : public Evaluation {
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
-    const PartTable parts =
-        PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-    const auto book = DemonstratorBook::FromConfig(
-        deployment.OfTask("demonstrators.yaml"), parts);
+    const auto success = SuccessCriterion::Load(deployment);
     std::unique_ptr<StopInjector> injector;
     json row =
         RunAssembly(kScript, trial.seed, deployment, roster, [&](SimBus& bus) {
-          injector =
-              std::make_unique<StopInjector>(bus, parts, book, trial.seed);
+          injector = std::make_unique<StopInjector>(bus, success, trial.seed);
           return [&](const Message& message) {
             injector->Put(message);
           };

@@ -16,7 +16,6 @@
 
 namespace cell::cli {
 
-using namespace vtb;
 namespace {
 
 double SimSeconds(int32_t tick) {
@@ -61,17 +60,16 @@ std::string WhyNot(const EpisodeRecord& record) {
   return "nobody knows why";
 }
 
-std::string TellExecuted(const EpisodeRecord& record, const PartTable& parts,
-                         const DemonstratorBook& book) {
+std::string TellExecuted(const EpisodeRecord& record,
+                         const SuccessCriterion& success) {
   if (!record.looks.has_both()) return "nothing was done";
   const AssemblyScore score =
-      ScoreAssembly(record.looks.earlier(), record.looks.last(), parts, book);
+      ScoreAssembly(record.looks.earlier(), record.looks.last(), success);
   // Sites with a thread, and others: seated, all.
   int num[2][2] = {};
   for (const bool is_seated : {true, false}) {
     for (const auto& site : is_seated ? score.seated : score.missing) {
-      const bool is_thread =
-          parts.FindThread(parts.FindSite(site)->type) != nullptr;
+      const bool is_thread = IsThreaded(site, success.parts);
       num[is_thread][0] += is_seated;
       ++num[is_thread][1];
     }
@@ -152,16 +150,13 @@ int RunReport::Finish() {
     std::cout << std::flush;
     return result;
   }
-  const PartTable parts =
-      PartTable::FromConfig(run_.deployment.OfTask("parts.yaml"));
-  const DemonstratorBook book = DemonstratorBook::FromConfig(
-      run_.deployment.OfTask("demonstrators.yaml"), parts);
+  const auto success = SuccessCriterion::Load(run_.deployment);
   int number = 0;
   for (const EpisodeRecord& record : records) {
     std::cout << fmt::format("\nepisode {}, {}:\n", ++number,
                              Printable(record.episode.demonstration));
     std::cout << (record.episode.agent == "robot"
-                      ? TellExecuted(record, parts, book)
+                      ? TellExecuted(record, success)
                       : TellWatched(record))
               << "\n";
     std::cout << "picture "

@@ -16,6 +16,7 @@
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
 #include "common/sec/gallery.h"
+#include "services/cell/evaluations/success_criterion.h"
 #include "services/cell/running/service_registry.h"
 #include "services/robot_arm/skill_settings.h"
 #include "services/vtb/script.h"
@@ -44,7 +45,9 @@ bool HasHandFor(const Grasp& grasp, const std::string& grip,
 void CheckGrasps(const Config& config, const PartTable& parts,
                  const CellLayout& layout) {
   for (const Part& part : parts.parts()) {
-    const auto entries = config["parts"][part.name].ItemsOf("grasps");
+    const Config entry = config["parts"][part.name];
+    const std::vector<Config> entries =
+        part.joint ? std::vector{entry["handle"]} : entry.ItemsOf("grasps");
     for (size_t i = 0; i < part.grasps.size(); ++i) {
       for (const std::string& grip : part.grasps[i].grips) {
         if (HasHandFor(part.grasps[i], grip, layout)) continue;
@@ -189,6 +192,8 @@ void CheckTask(const CellFiles& files, const std::string& demonstration) {
   SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), parts);
   const Config book_config = deployment.OfTask("demonstrators.yaml");
   const auto book = DemonstratorBook::FromConfig(book_config, parts);
+  SuccessCriterion::FromConfig(deployment.OfTask("success.yaml"), domain,
+                               parts);
 
   CheckGrasps(parts_config, parts, layout);
   CheckActions(domain_config, domain, parts, layout);
