@@ -4,7 +4,7 @@
 #include <string>
 
 #include "services/recognizer/recognition.h"
-#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 #include "services/tracker/ideal_tracker.h"
 #include "tests/unit/stage_testing.h"
@@ -55,18 +55,18 @@ BENCHMARK(MeasureProximities)
     ->Arg(kHandsAtWork)
     ->Unit(benchmark::kMicrosecond);
 
-void UpdateEventChain(benchmark::State& state) {
+void UpdateKeyFrameExtractor(benchmark::State& state) {
   Watched watched(kHandsAtWork);
   const Proximities proximities =
       ProximitySensor(watched.task.cast, watched.task.parts, {})
           .Measure(watched.tracks);
-  EventChain chain(watched.task.cast, {});
+  KeyFrameExtractor extractor(watched.task.cast, {});
   for (auto _ : state) {
     watched.tracks.utime += 96'000;
-    benchmark::DoNotOptimize(chain.Update(watched.tracks, proximities));
+    benchmark::DoNotOptimize(extractor.Update(watched.tracks, proximities));
   }
 }
-BENCHMARK(UpdateEventChain)->Unit(benchmark::kMicrosecond);
+BENCHMARK(UpdateKeyFrameExtractor)->Unit(benchmark::kMicrosecond);
 
 void TracksThroughTheirMessage(benchmark::State& state) {
   const Watched watched(kBegin);
