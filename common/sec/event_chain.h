@@ -54,8 +54,8 @@ class EventChain {
 
 /// A line per row, with the codes of the relations (Fig. 12):
 ///
-///   hand, peg   0 1 1 0
-///   peg, table  1 1 0 1
+///   bolt, hand   0 1 1 0
+///   bolt, table  1 1 0 1
 std::string ToText(const EventChain& chain);
 
 }  // namespace cell

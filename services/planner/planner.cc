@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "cell/alert_t.hpp"
+#include "cell/library_request_t.hpp"
 #include "cell/sense_request_t.hpp"
-#include "common/parts/part_table.h"
+#include "common/actions/action_model_reader.h"
+#include "common/actions/record_messages.h"
+#include "common/task/task.h"
 #include "services/planner/executor_messages.h"
 #include "services/planner/planner_messages.h"
 
@@ -78,14 +81,8 @@ Executor::Params LoadExecutor(const Config& config, const Domain& domain,
 }
 
 Planner::Params LoadParams(const Deployment& deployment) {
-  const Config parts = deployment.OfTask("parts.yaml");
-  const Config domain = deployment.OfTask("domain.yaml");
   const Config config = deployment.ForService("planner");
-  Planner::Params params{
-      Domain::FromConfig(domain, PartTable::FromConfig(parts)), {}, {}, {}, {}};
-  params.domain.PassOverGeometry();
-  params.domain.PassOverSec();
-  domain.Finish();
+  Planner::Params params{LoadTask(deployment).domain, {}, {}, {}, {}};
   params.search.max_states =
       config.Integer("max_states", 1, std::numeric_limits<int>::max());
   params.monitor.min_detour =
@@ -113,6 +110,8 @@ Planner::Planner(Bus& bus, Params params)
       "PREDICATES", [this](const auto& m) { return OnPredicates(m); });
   bus_.Subscribe<action_t>("ACTION",
                            [this](const auto& m) { return OnAction(m); });
+  bus_.Subscribe<action_record_t>(
+      "ACTION_RECORD", [this](const auto& m) { return OnRecord(m); });
   bus_.Subscribe<skill_result_t>("SKILL_RESULT",
                                  [this](const auto& m) { return OnResult(m); });
   const Vocabulary& vocabulary = params_.domain.vocabulary();
@@ -129,6 +128,10 @@ Planner::Planner(Bus& bus, Params params)
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
+  if (!std::exchange(has_asked_, true) && message.phase == episode_t::RUNNING) {
+    bus_.Publish("LIBRARY_REQUEST",
+                 library_request_t{{bus_.now(), 0, 0, 0}, 0});
+  }
   if (message.phase == episode_t::END) {
     is_running_ = false;
     end_utime_ = bus_.now();
@@ -170,6 +173,7 @@ bool Planner::OnEpisode(const episode_t& message) {
 }
 
 void Planner::Begin(Agent agent, const Goal& goal, const episode_t& episode) {
+  goal_ = goal.name;
   const bool has_joined_late = episode.phase == episode_t::RUNNING;
   start_utime_ = has_joined_late ? 0 : episode.header.utime;
   if (agent == Agent::kRobot) {
@@ -199,6 +203,7 @@ CommandAnswer Planner::OnGoal(const command_goal_t& message) {
     return CommandAnswer::Refuse(
         "no episode runs that could have another goal (cell episode start)");
   }
+  goal_ = goal->name;
   if (executor_) executor_->Pursue(*goal);
   if (monitor_) {
     Watch(*goal);
@@ -243,6 +248,26 @@ bool Planner::OnAction(const action_t& message) {
   unseen_->Take(*action);
   Publish(monitor_->Take(*action));
   return true;
+}
+
+bool Planner::OnRecord(const action_record_t& message) {
+  try {
+    const ActionRecord record = cell::FromMessage(message);
+    if (params_.domain.Put(ReadAction(record, params_.domain))) StartOver();
+    return true;
+  } catch (const ConfigError& e) {
+    Complain(alert_t::BAD_INPUT, std::string("ACTION_RECORD ") + e.what());
+    return false;
+  }
+}
+
+/// What was planned by other rules is forgotten, the world is sensed afresh.
+void Planner::StartOver() {
+  if (!is_running_ || !(executor_ || monitor_)) return;
+  episode_t episode{};
+  episode.phase = episode_t::RUNNING;
+  Begin(executor_ ? Agent::kRobot : Agent::kPerson,
+        *params_.domain.FindGoal(goal_), episode);
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/action_record_t.hpp"
 #include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -26,7 +27,8 @@ namespace cell::planner {
 /// COMMAND_GOAL names. Of a person's episode: PREDICATES, ACTION -> PLAN,
 /// ALERT. Of the robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE ->
 /// SKILL_REQUEST, SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since
-/// what fails is the robot's own.
+/// what fails is the robot's own. ACTION_RECORD replaces what it knows of an
+/// action: it then goes on as one who joins the episode.
 class Planner final : public Service {
  public:
   struct Params {
@@ -46,10 +48,12 @@ class Planner final : public Service {
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
   bool OnAction(const action_t& message);
+  bool OnRecord(const action_record_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
   void Begin(Agent agent, const Goal& goal, const episode_t& episode);
   void Watch(const Goal& goal);
+  void StartOver();
   void RequestSense();
   std::string NoGoal(const std::string& name) const;
   void Complain(int8_t cause, const std::string& text);
@@ -66,6 +70,8 @@ class Planner final : public Service {
   std::optional<UnseenChanges> unseen_;   // of the same
   std::optional<Executor> executor_;      // of the robot's
   std::optional<int64_t> complained_of_;  // episode
+  std::string goal_;                      // of the episode
+  bool has_asked_ = false;                // for records, or they come unasked
   bool is_running_ = false;               // an episode
   bool may_act_ = false;
   int64_t start_utime_ = 0;           // of the episode

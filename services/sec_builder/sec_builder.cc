@@ -1,6 +1,7 @@
-#include "common/layout/cell_layout.h"
-#include "common/sec/track.h"
 #include "services/sec_builder/sec_builder.h"
+
+#include "common/sec/track.h"
+#include "common/task/task.h"
 
 namespace cell::sec_builder {
 
@@ -43,11 +44,8 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
 
 std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
                                         const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  SecBuilder::Params params{Cast(parts, layout), parts, {}, {}};
+  const Task task = LoadTask(deployment);
+  SecBuilder::Params params{task.cast, task.parts, {}, {}};
   const Config config = deployment.ForService("sec_builder");
   PairFilter::Params& pair = params.extractor.pair;
   pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;

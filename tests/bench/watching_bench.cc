@@ -79,7 +79,7 @@ BENCHMARK(TracksThroughTheirMessage)->Unit(benchmark::kMicrosecond);
 
 void SenseAllPredicates(benchmark::State& state) {
   Watched watched(static_cast<int>(state.range(0)));
-  const auto sensor = watched.task.Sensor();
+  const auto sensor = watched.task.MakeSensor();
   const Scene scene = SceneOf(watched.stage.Frame(), watched.task.cast);
   for (auto _ : state) benchmark::DoNotOptimize(sensor->Sense(scene));
 }
@@ -91,10 +91,9 @@ BENCHMARK(SenseAllPredicates)
 // Two key frames: picked up, and let go.
 void RecogniseATouch(benchmark::State& state) {
   Watched watched(kAssembled);
-  Recognition recognition(
-      watched.task.cast, watched.task.parts,
-      std::make_shared<const Gallery>(watched.task.domain, watched.task.parts),
-      watched.task.Sensor(), {});
+  Recognition recognition(watched.task.cast, watched.task.parts,
+                          watched.task.MakeSecLibrary(),
+                          watched.task.MakeSensor(), {});
   watched.stage.Hold("hand_left", "shaft");
   const KeyFrame held = watched.stage.Frame();
   watched.stage.LetGo("hand_left", "shaft");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/task/task.h"
 #include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/stop_injector.h"
@@ -62,8 +63,7 @@ class StopsEvaluation final : public Evaluation {
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
-    const PartTable parts =
-        PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+    const PartTable parts = LoadTask(deployment).parts;
     const auto book = DemonstratorBook::FromConfig(
         deployment.OfTask("demonstrators.yaml"), parts);
     std::unique_ptr<StopInjector> injector;

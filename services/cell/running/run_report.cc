@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
+#include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/episode_score.h"
@@ -152,8 +153,7 @@ int RunReport::Finish() {
     std::cout << std::flush;
     return result;
   }
-  const PartTable parts =
-      PartTable::FromConfig(run_.deployment.OfTask("parts.yaml"));
+  const PartTable parts = LoadTask(run_.deployment).parts;
   const DemonstratorBook book = DemonstratorBook::FromConfig(
       run_.deployment.OfTask("demonstrators.yaml"), parts);
   int number = 0;
