@@ -6,16 +6,16 @@
 
 namespace cell {
 
-void Domain::PassOverGeometry() const {
-  for (const Predicate& predicate : vocabulary_.predicates()) {
-    if (predicate.geometry) predicate.geometry->PassOver();
+bool Domain::Put(const Action& action) {
+  const std::optional<int> known = FindAction(action.name);
+  if (!known) {
+    actions_.push_back(action);
+    return true;
   }
-}
-
-void Domain::PassOverSec() const {
-  for (const Action& action : actions_) {
-    if (action.sec) action.sec->PassOver();
-  }
+  Action& kept = actions_[static_cast<size_t>(*known)];
+  if (kept == action) return false;
+  kept = action;
+  return true;
 }
 
 std::optional<int> Domain::FindAction(const std::string& name) const {

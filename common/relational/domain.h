@@ -31,7 +31,8 @@ struct Goal {
 ///       undoes: Remove                            # optional
 ///       sec: ...
 ///       rules:
-///         - context: [fits(X, Y), Free(Y), not InHole(X, _)]
+///         - agents: [person]                     # default: the action's
+///           context: [fits(X, Y), Free(Y), not InHole(X, _)]
 ///           references: {Z: {type: part, such_that: [On(X, Z)]}}  # optional
 ///           outcomes:
 ///             - probability: 0.95
@@ -48,14 +49,13 @@ struct Goal {
 ///     done: [InHole(_, a.h)]
 class Domain {
  public:
-  /// The blocks `geometry` and `sec` are left unread, so that config.Finish()
-  /// accepts them only once somebody has read or passed over them.
+  /// The blocks `geometry` and `sec` are left unread: LoadTask() reads them.
   /// @throws ConfigError naming file:key.
   static Domain FromConfig(const Config& config, const PartTable& parts);
 
-  /// Accepts all of these blocks, for who does not read them.
-  void PassOverGeometry() const;
-  void PassOverSec() const;
+  /// Replaces the action of that name, or appends a new one; indices stay.
+  /// Returns true if that changes the domain.
+  bool Put(const Action& action);
 
   const Vocabulary& vocabulary() const { return vocabulary_; }
   const std::vector<Action>& actions() const { return actions_; }
@@ -82,7 +82,7 @@ class Domain {
   std::vector<Goal> goals_;
 };
 
-/// Reads an action as it stands in domain.yaml, but for `undoes`.
+/// Reads an action as it stands in domain.yaml, but for `undoes` and `sec`.
 /// @throws ConfigError naming file:key.
 Action LoadAction(const std::string& name, const Config& config,
                   const Vocabulary& vocabulary);

@@ -109,6 +109,38 @@ std::vector<DeicticReference> LoadReferences(const Config& config,
   return references;
 }
 
+std::vector<Agent> LoadAgents(const Config& action,
+                              std::vector<Agent> fallback) {
+  if (!action.Has("agents")) return fallback;
+  std::vector<Agent> agents;
+  for (const Config& item : action["agents"].Items()) {
+    const auto name = item.As<std::string>();
+    if (name != "person" && name != "robot") {
+      item.Fail("'" + name + "' is neither person nor robot");
+    }
+    const Agent agent = name == "person" ? Agent::kPerson : Agent::kRobot;
+    if (std::count(agents.begin(), agents.end(), agent) > 0) {
+      item.Fail("'" + name + "' is named twice");
+    }
+    agents.push_back(agent);
+  }
+  if (agents.empty()) {
+    action["agents"].Fail("nobody can do it; name person, robot, or both");
+  }
+  return agents;
+}
+
+/// A rule for some of the action's agents, or all of them.
+std::vector<Agent> LoadAgentsOfRule(const Config& rule, const Action& action) {
+  const std::vector<Agent> agents = LoadAgents(rule, action.agents);
+  for (const Agent agent : agents) {
+    if (!action.MayBeDoneBy(agent)) {
+      rule["agents"].Fail("not all of them are agents of the action");
+    }
+  }
+  return agents;
+}
+
 NdrRule LoadRule(const Config& config, const Vocabulary& vocabulary,
                  std::vector<Variable> variables) {
   NdrRule rule;
@@ -130,30 +162,10 @@ NdrRule LoadRule(const Config& config, const Vocabulary& vocabulary,
   return rule;
 }
 
-std::vector<Agent> LoadAgents(const Config& action) {
-  if (!action.Has("agents")) return {Agent::kPerson, Agent::kRobot};
-  std::vector<Agent> agents;
-  for (const Config& item : action["agents"].Items()) {
-    const auto name = item.As<std::string>();
-    if (name != "person" && name != "robot") {
-      item.Fail("'" + name + "' is neither person nor robot");
-    }
-    const Agent agent = name == "person" ? Agent::kPerson : Agent::kRobot;
-    if (std::count(agents.begin(), agents.end(), agent) > 0) {
-      item.Fail("'" + name + "' is named twice");
-    }
-    agents.push_back(agent);
-  }
-  if (agents.empty()) {
-    action["agents"].Fail("nobody can do it; name person, robot, or both");
-  }
-  return agents;
-}
-
 /// What a robot's rule needs and does besides; see Domain.
 struct Addition {
   std::vector<Literal> context;
-  Effect effect;
+  std::vector<Literal> effects;
 };
 
 std::vector<Addition> LoadAdditions(const Config& action,
@@ -163,7 +175,7 @@ std::vector<Addition> LoadAdditions(const Config& action,
   for (const Config& item : action["robot"].Items()) {
     Addition addition;
     addition.context = ParseLiterals(item["context"], vocabulary, arguments);
-    addition.effect.then =
+    addition.effects =
         LoadChanges(item["effects"].Items(), vocabulary, arguments);
     additions.push_back(std::move(addition));
   }
@@ -177,7 +189,7 @@ NdrRule WithAddition(NdrRule rule, const Addition& addition,
   rule.agents = {Agent::kRobot};
   for (const Outcome& outcome : rule.outcomes) {
     for (const Effect& effect : outcome.effects) {
-      for (const Literal& added : addition.effect.then) {
+      for (const Literal& added : addition.effects) {
         if (effect.each.empty() &&
             std::any_of(effect.then.begin(), effect.then.end(),
                         [&](const auto& l) { return Contradict(l, added); })) {
@@ -189,7 +201,8 @@ NdrRule WithAddition(NdrRule rule, const Addition& addition,
   rule.context.insert(rule.context.end(), addition.context.begin(),
                       addition.context.end());
   for (Outcome& outcome : rule.outcomes) {
-    outcome.effects.push_back(addition.effect);
+    std::vector<Literal>& then = outcome.effects.back().then;  // without `each`
+    then.insert(then.end(), addition.effects.begin(), addition.effects.end());
   }
   return rule;
 }
@@ -205,11 +218,13 @@ void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
       LoadAdditions(config, vocabulary, action.arguments);
   std::vector<NdrRule> rules;
   for (NdrRule& rule : action.rules) {
+    if (!rule.IsFor(Agent::kRobot)) continue;
     for (const Addition& addition : additions) {
       rules.push_back(WithAddition(rule, addition, config["robot"]));
     }
     std::erase(rule.agents, Agent::kRobot);
   }
+  std::erase_if(action.rules, [](const auto& r) { return r.agents.empty(); });
   action.rules.insert(action.rules.end(), rules.begin(), rules.end());
 }
 
@@ -237,10 +252,10 @@ Action LoadAction(const std::string& name, const Config& config,
   action.name = name;
   Extend(action.arguments, LoadVariables(config["arguments"], vocabulary),
          config["arguments"]);
-  action.agents = LoadAgents(config);
+  action.agents = LoadAgents(config, {Agent::kPerson, Agent::kRobot});
   for (const Config& item : config["rules"].Items()) {
     action.rules.push_back(LoadRule(item, vocabulary, action.arguments));
-    action.rules.back().agents = action.agents;
+    action.rules.back().agents = LoadAgentsOfRule(item, action);
   }
   if (config.Has("robot")) AddRobotRules(config, vocabulary, action);
   if (config.Has("skill")) {
@@ -250,7 +265,6 @@ Action LoadAction(const std::string& name, const Config& config,
       config["skill"].Fail("the robot is none of the action's agents");
     }
   }
-  if (config.Has("sec")) action.sec.emplace(config["sec"]);
   return action;
 }
 

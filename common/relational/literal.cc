@@ -241,27 +241,41 @@ std::vector<int> AtomsOf(const Literal& literal, const Binding& binding,
   return atoms;
 }
 
-std::string Show(const Literal& literal, const Binding& binding,
-                 const Vocabulary& vocabulary) {
+std::string ToText(const Term& term, const Vocabulary& vocabulary,
+                   std::span<const Variable> variables) {
+  switch (term.kind) {
+    case Term::Kind::kVariable:
+      return variables[static_cast<size_t>(term.index)].name;
+    case Term::Kind::kObject:
+      return vocabulary.objects().at(term.index).name;
+    case Term::Kind::kAny:
+      break;
+  }
+  return "_";
+}
+
+std::string ToText(const Literal& literal, const Vocabulary& vocabulary,
+                   std::span<const Variable> variables) {
   std::string text = literal.is_negated ? "not " : "";
   text += literal.is_static
               ? vocabulary.static_relations()[literal.relation].name
               : vocabulary.predicates()[literal.relation].name;
   text += "(";
   for (size_t i = 0; i < literal.terms.size(); ++i) {
-    const Term& term = literal.terms[i];
-    if (i > 0) text += ", ";
-    if (term.kind == Term::Kind::kAny) {
-      text += "_";
-    } else {
-      text += vocabulary
-                  .objects()[term.kind == Term::Kind::kObject
-                                 ? term.index
-                                 : binding.at(term.index)]
-                  .name;
-    }
+    text +=
+        (i > 0 ? ", " : "") + ToText(literal.terms[i], vocabulary, variables);
   }
   return text + ")";
+}
+
+std::string Show(const Literal& literal, const Binding& binding,
+                 const Vocabulary& vocabulary) {
+  std::vector<Variable> objects;
+  for (const int object : binding) {
+    const Object& bound = vocabulary.objects()[object];
+    objects.push_back({bound.name, bound.type});
+  }
+  return ToText(literal, vocabulary, objects);
 }
 
 }  // namespace cell

@@ -75,6 +75,13 @@ bool MustHold(const Literal& literal, const Binding& binding,
 std::vector<int> AtomsOf(const Literal& literal, const Binding& binding,
                          const Vocabulary& vocabulary);
 
+/// "not On(X, _)", as ParseLiteral() reads it.
+std::string ToText(const Literal& literal, const Vocabulary& vocabulary,
+                   std::span<const Variable> variables);
+/// "X"
+std::string ToText(const Term& term, const Vocabulary& vocabulary,
+                   std::span<const Variable> variables);
+
 /// "not On(a, _)"
 std::string Show(const Literal& literal, const Binding& binding,
                  const Vocabulary& vocabulary);

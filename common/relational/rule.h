@@ -61,11 +61,9 @@ struct Action {
   std::optional<int> undoes;  ///< the action of which it is the reverse
   std::vector<NdrRule> rules;
   std::optional<Skill> skill;  ///< how an arm does it
-  /// How it is recognised. Not read here: the recognizer reads it, all others
-  /// call Domain::PassOverSec().
-  std::optional<Config> sec;
 
   bool MayBeDoneBy(Agent agent) const;
+  bool operator==(const Action&) const = default;
 };
 
 /// An action with its objects.

@@ -5,9 +5,10 @@ namespace {
 
 Skill::Kind KindFromConfig(const Config& config) {
   const auto name = config.As<std::string>();
-  if (name == "insert") return Skill::Kind::kInsert;
-  if (name == "present") return Skill::Kind::kPresent;
-  if (name == "put_down") return Skill::Kind::kPutDown;
+  for (const auto kind :
+       {Skill::Kind::kInsert, Skill::Kind::kPresent, Skill::Kind::kPutDown}) {
+    if (name == NameOf(kind)) return kind;
+  }
   config.Fail("'" + name + "' is none of insert, present, put_down");
 }
 
@@ -36,6 +37,18 @@ Skill Skill::FromConfig(const Config& config, const Vocabulary& vocabulary,
     config["site"].Fail("only insert has a site");
   }
   return skill;
+}
+
+const char* NameOf(Skill::Kind kind) {
+  switch (kind) {
+    case Skill::Kind::kInsert:
+      return "insert";
+    case Skill::Kind::kPresent:
+      return "present";
+    case Skill::Kind::kPutDown:
+      break;
+  }
+  return "put_down";
 }
 
 GroundSkill Bind(const Skill& skill, const Binding& arguments) {

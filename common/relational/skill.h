@@ -31,6 +31,9 @@ struct Skill {
                           std::span<const Variable> arguments);
 };
 
+/// "put_down", as in domain.yaml.
+const char* NameOf(Skill::Kind kind);
+
 /// A skill with its objects.
 struct GroundSkill {
   Skill::Kind kind = Skill::Kind::kInsert;

@@ -174,8 +174,7 @@ void Vocabulary::AddPredicates(const Config& domain) {
 
 Predicate Vocabulary::LoadPredicate(const std::string& name,
                                     const Config& config) const {
-  Predicate predicate{name, TypesOf(config["arguments"]), {}, {}};
-  if (config.Has("geometry")) predicate.geometry.emplace(config["geometry"]);
+  Predicate predicate{name, TypesOf(config["arguments"]), {}};
   if (!config.Has("reported")) return predicate;
   const Config reported = config["reported"];
   const auto kind = reported.As<std::string>();
@@ -185,7 +184,7 @@ Predicate Vocabulary::LoadPredicate(const std::string& name,
   if (predicate.argument_types.size() != 2) {
     config["arguments"].Fail("what arms report has two arguments");
   }
-  if (predicate.geometry) {
+  if (config.Has("geometry")) {
     reported.Fail("what arms report is not sensed: no geometry");
   }
   predicate.report =

@@ -28,9 +28,6 @@ struct Predicate {
   std::string name;
   std::vector<int> argument_types;
   std::optional<Report> report;  ///< nothing: it is sensed
-  /// How it is sensed. Not read here: the estimator of predicates reads it,
-  /// all others call Domain::PassOverGeometry().
-  std::optional<Config> geometry;
 };
 
 /// A relation that never changes: listed, or taken from the part table. Each
@@ -54,8 +51,9 @@ struct GroundAtom {
 class Vocabulary {
  public:
   /// Reads `types`, `constants` (optional: name to type), `static_facts`
-  /// (optional) and `predicates` of a domain; objects are the parts of `parts`
-  /// and their sites besides.
+  /// (optional) and `predicates` of a domain, but for their `geometry` (see
+  /// ReadGeometries()); objects are the parts of `parts` and their sites
+  /// besides.
   /// @throws ConfigError naming file:key for unknown types and twin names.
   static Vocabulary FromConfig(const Config& domain, const PartTable& parts);
 

@@ -13,12 +13,13 @@ namespace {
 class Reader {
  public:
   Reader(const Predicate& predicate, const Vocabulary& vocabulary,
-         const PartTable& parts, const std::vector<PartShape>& shapes)
+         const PartTable& parts, const std::vector<PartShape>& shapes,
+         const Config& config)
       : predicate_(predicate),
         vocabulary_(vocabulary),
         parts_(parts),
         shapes_(shapes),
-        config_(*predicate.geometry) {}
+        config_(config) {}
 
   PredicateGeometry Read() const {
     if (config_.Entries().size() == 1) {
@@ -42,8 +43,9 @@ class Reader {
     }
     seated.must_touch_host = touch == "host";
     if (has_site) {
-      seated.site = parts_.FindSite(config.Get<std::string>("site"));
-      if (!seated.site) config["site"].Fail("no part has this site");
+      const Site* site = parts_.FindSite(config.Get<std::string>("site"));
+      if (site == nullptr) config["site"].Fail("no part has this site");
+      seated.site = *site;
     } else {
       CheckSites(1);
     }
@@ -123,21 +125,28 @@ class Reader {
   const Vocabulary& vocabulary_;
   const PartTable& parts_;
   const std::vector<PartShape>& shapes_;
-  const Config& config_;
+  const Config config_;
 };
 
 }  // namespace
 
-PredicateGeometry ReadGeometry(const Predicate& predicate,
-                               const Vocabulary& vocabulary,
-                               const PartTable& parts,
-                               const std::vector<PartShape>& shapes,
-                               const Config& domain) {
-  if (predicate.report) return ReportedGeometry{};
-  if (!predicate.geometry) {
-    domain["predicates"][predicate.name].Fail("needs a geometry");
+std::vector<PredicateGeometry> ReadGeometries(const Config& domain,
+                                              const Vocabulary& vocabulary,
+                                              const PartTable& parts) {
+  const std::vector<PartShape> shapes = ShapesOf(parts);
+  std::vector<PredicateGeometry> geometries;
+  for (const Predicate& predicate : vocabulary.predicates()) {
+    if (predicate.report) {
+      geometries.emplace_back(ReportedGeometry{});
+      continue;
+    }
+    const Config config = domain["predicates"][predicate.name];
+    if (!config.Has("geometry")) config.Fail("needs a geometry");
+    geometries.push_back(
+        Reader(predicate, vocabulary, parts, shapes, config["geometry"])
+            .Read());
   }
-  return Reader(predicate, vocabulary, parts, shapes).Read();
+  return geometries;
 }
 
 }  // namespace cell

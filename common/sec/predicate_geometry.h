@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace cell {
 /// host; with `touch: any` some part, if it is others that hold it up there.
 struct SeatedGeometry {
   SeatTolerance tolerance;
-  const Site* site = nullptr;   ///< nullptr: the second argument
+  std::optional<Site> site;     ///< nothing: the second argument
   bool must_touch_host = true;  ///< else: some part
 };
 
@@ -51,13 +52,11 @@ using PredicateGeometry =
     std::variant<SeatedGeometry, TiltedGeometry, GraspableGeometry,
                  FreeSpaceGeometry, ReportedGeometry>;
 
-/// Reads the block of a predicate; sites point into `parts`.
+/// Reads the `geometry` of each predicate of a domain.
 /// @throws ConfigError for a sensed predicate without a block, of more than one
 /// kind, or with arguments that do not suit it.
-PredicateGeometry ReadGeometry(const Predicate& predicate,
-                               const Vocabulary& vocabulary,
-                               const PartTable& parts,
-                               const std::vector<PartShape>& shapes,
-                               const Config& domain);
+std::vector<PredicateGeometry> ReadGeometries(const Config& domain,
+                                              const Vocabulary& vocabulary,
+                                              const PartTable& parts);
 
 }  // namespace cell

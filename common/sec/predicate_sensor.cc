@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace cell {
@@ -30,18 +31,15 @@ bool Fits(const Part& part, const Site& site) {
 PredicateSensor::PredicateSensor(const Vocabulary& vocabulary,
                                  const PartTable& parts,
                                  const Eigen::AlignedBox3d& workspace,
-                                 const Config& domain)
+                                 std::vector<PredicateGeometry> geometries)
     : vocabulary_(vocabulary),
       parts_(parts),
       workspace_(workspace),
-      shapes_(ShapesOf(parts)) {
+      shapes_(ShapesOf(parts)),
+      geometries_(std::move(geometries)) {
   for (const Object& object : vocabulary_.objects()) {
     part_of_object_.push_back(IndexOfPart(object.name));
     site_of_object_.push_back(parts_.FindSite(object.name));
-  }
-  for (const Predicate& predicate : vocabulary_.predicates()) {
-    geometries_.push_back(
-        ReadGeometry(predicate, vocabulary_, parts_, shapes_, domain));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "common/config/config.h"
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
 #include "common/relational/state.h"
@@ -21,9 +20,12 @@ namespace cell {
 /// tracked is unknown, and so is what arms report.
 class PredicateSensor {
  public:
-  /// @throws ConfigError as ReadGeometry does.
+  /// @pre one of `geometries` for each predicate of the vocabulary.
   PredicateSensor(const Vocabulary& vocabulary, const PartTable& parts,
-                  const Eigen::AlignedBox3d& workspace, const Config& domain);
+                  const Eigen::AlignedBox3d& workspace,
+                  std::vector<PredicateGeometry> geometries);
+  PredicateSensor(const PredicateSensor&) = delete;  // points into itself
+  PredicateSensor& operator=(const PredicateSensor&) = delete;
 
   /// @pre the scene has all parts of the table.
   State Sense(const Scene& scene) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
@@ -18,7 +19,7 @@ class Way {
                    const Eigen::Isometry3d& X_WC) const;
 
  private:
-  PartShape column_;
+  std::shared_ptr<const PartShape> column_;  // never changes: copies share it
 };
 
 }  // namespace cell

@@ -8,6 +8,7 @@
 #include "cell/alert_t.hpp"
 #include "common/parts/part_table.h"
 #include "common/rendering/cell_bodies.h"
+#include "common/task/task.h"
 #include "services/camera_set/recorded_device.h"
 #include "services/camera_set/rendered_device.h"
 
@@ -85,9 +86,11 @@ RecordedDevice::Params RecordedFromConfig(const Config& config,
 
 std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
                                        const std::string& instance) {
-  const Config task = deployment.OfTask("cell.yaml");
-  const CellLayout layout = CellLayout::FromConfig(task);
-  if (!layout.cameras) task.Fail("places no cameras");
+  const Task task = LoadTask(deployment);
+  const CellLayout& layout = task.layout;
+  if (!layout.cameras) {
+    throw ConfigError("cell.yaml:cameras: missing; it places no cameras");
+  }
   const auto poses = layout.cameras->Poses();
   const size_t index = IndexOf(instance, poses.size());
 
@@ -116,11 +119,10 @@ std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
   if (device != "rendered") {
     config["device"].Fail("'" + device + "' is neither rendered nor recorded");
   }
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
   return std::make_unique<CameraSet>(
       bus, params,
-      std::make_unique<RenderedDevice>(bus, BodiesOf(parts, layout), rendered));
+      std::make_unique<RenderedDevice>(bus, BodiesOf(task.parts, layout),
+                                       rendered));
 }
 
 }  // namespace cell::camera_set

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "services/library/action_record.h"
+#include "common/actions/action_record.h"
 
 namespace cell::library {
 
@@ -18,9 +18,10 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Keeps action records; ids are 1, 2, ... in the order of storing. What was
-/// stored in a run carries its tick, so that a service that comes back can
-/// forget what nobody was told of. Every call may throw StoreError.
+/// Keeps action records; ids ascend in the order of storing. A record of a
+/// higher version replaces those of its name. What was stored in a run carries
+/// its tick, so that a service that comes back can forget what nobody was told
+/// of, and know again what that had replaced. Every call may throw StoreError.
 class ActionStore {
  public:
   ActionStore() = default;
@@ -30,18 +31,23 @@ class ActionStore {
 
   /// Keeps all of them or none: when it returns, they outlive the process. The
   /// records' own ids do not count. Their ids.
-  /// @throws std::invalid_argument for a name that is there already.
+  /// @throws std::invalid_argument for a name that is there already with this
+  /// version or a higher one.
   virtual std::vector<int64_t> Store(std::span<const ActionRecord> records,
                                      int32_t tick) = 0;
 
+  /// Also one that was replaced in this run.
   virtual std::optional<ActionRecord> Find(int64_t id) const = 0;
+  /// The latest version.
   virtual std::optional<ActionRecord> FindNamed(
       const std::string& name) const = 0;
-  /// By id.
+  /// The latest version of each name, by id.
   virtual std::vector<ActionRecord> All() const = 0;
+  /// How many names.
   virtual int64_t Count() const = 0;
 
-  /// A run begins: all that is there now was there before its first tick.
+  /// A run begins: all that is there now was there before its first tick. What
+  /// has been replaced is forgotten.
   virtual void BeginRun() = 0;
   /// Forgets what was stored in `tick` of this run and later.
   virtual void RollBackTo(int32_t tick) = 0;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "services/library/action_record.h"
+#include "common/actions/action_record.h"
 
 namespace cell::library {
 

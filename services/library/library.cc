@@ -5,8 +5,8 @@
 
 #include "cell/stored_t.hpp"
 #include "cell/tick_t.hpp"
+#include "common/actions/record_messages.h"
 #include "common/bus/decode.h"
-#include "services/library/record_messages.h"
 
 namespace cell::library {
 namespace {
@@ -58,7 +58,10 @@ bool Library::OnTick(std::span<const uint8_t> bytes) {
 }
 
 bool Library::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) PublishAll(message.header.utime);
+  if (message.phase == episode_t::START ||
+      (message.phase == episode_t::RUNNING && !has_published_)) {
+    PublishAll(message.header.utime);
+  }
   return message.phase >= episode_t::START &&
          message.phase <= episode_t::RUNNING;
 }
@@ -105,6 +108,7 @@ void Library::Publish(const ActionRecord& record, int64_t utime) {
 }
 
 void Library::PublishAll(int64_t utime) {
+  has_published_ = true;
   for (const ActionRecord& record : store_->All()) Publish(record, utime);
 }
 
@@ -112,8 +116,12 @@ std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
                                      std::shared_ptr<ActionStore> store) {
   // In a live cell nothing is taken back: what is stored was told.
   if (deployment.is_live) store->BeginRun();
-  return std::make_unique<Library>(bus, std::move(store),
-                                   RecordCheck::FromTask(deployment));
+  RecordCheck check = RecordCheck::FromTask(deployment);
+  if (const auto why = check.WhyOfAnotherTask(*store)) {
+    throw StoreError("the library's " + *why +
+                     "; it was kept for another task: name another --database");
+  }
+  return std::make_unique<Library>(bus, std::move(store), std::move(check));
 }
 
 }  // namespace cell::library

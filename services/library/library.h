@@ -15,9 +15,10 @@
 
 namespace cell::library {
 
-/// STORE_REQUEST -> STORED, once the store keeps it, and ACTION_RECORD. All
-/// records at an episode's start, and on LIBRARY_REQUEST. What the store holds
-/// when a run begins is an input of this service.
+/// STORE_REQUEST -> STORED, once the store keeps it, and ACTION_RECORD. The
+/// latest records of all actions at an episode's start, when this life joins
+/// one that runs, and on LIBRARY_REQUEST. What the store holds when a run
+/// begins is an input of this service.
 ///
 /// A life that follows a death forgets what was stored in ticks that the dead
 /// one did not answer: nobody was told of it, and in one process it would not
@@ -39,6 +40,7 @@ class Library final : public Service {
   std::shared_ptr<ActionStore> store_;
   RecordCheck check_;
   bool has_joined_ = false;
+  bool has_published_ = false;  // all of them, in this life
 };
 
 /// `store` outlives the lives that share it.

@@ -14,17 +14,20 @@ class MemoryActionStore final : public ActionStore {
                              int32_t tick) override;
   std::optional<ActionRecord> Find(int64_t id) const override;
   std::optional<ActionRecord> FindNamed(const std::string& name) const override;
-  std::vector<ActionRecord> All() const override { return records_; }
-  int64_t Count() const override {
-    return static_cast<int64_t>(records_.size());
-  }
+  std::vector<ActionRecord> All() const override;
+  int64_t Count() const override { return static_cast<int64_t>(All().size()); }
   void BeginRun() override;
   void RollBackTo(int32_t tick) override;
   int schema_version() const override { return 0; }
 
  private:
-  std::vector<ActionRecord> records_;  // by id
-  std::vector<int32_t> ticks_;         // of each
+  struct Row {
+    ActionRecord record;
+    int32_t tick;
+  };
+  bool IsReplaced(const ActionRecord& record) const;
+
+  std::vector<Row> rows_;  // by id
 };
 
 }  // namespace cell::library

@@ -1,8 +1,9 @@
 #include "services/library/open_store.h"
 
+#include "common/actions/action_model_writer.h"
+#include "common/task/task.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
-#include "services/library/record_language.h"
 #include "services/library/sqlite_action_store.h"
 
 namespace cell::library {
@@ -23,7 +24,8 @@ std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
         SqliteActionStore::Mode::kCreate);
   }
   if (store->Count() == 0) {
-    store->Store(TaskActions(deployment.OfTask("domain.yaml")), kBeforeRun);
+    const Task task = LoadTask(deployment);
+    store->Store(WriteActionModels(task.actions, task.domain), kBeforeRun);
   }
   // A process that comes back within the run finds it there.
   const auto content = run_dir / kStartContentName;

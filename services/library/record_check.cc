@@ -1,15 +1,15 @@
 #include "services/library/record_check.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
-#include "common/sec/gallery.h"
+#include "common/actions/action_model_reader.h"
+#include "common/task/task.h"
 #include "services/library/record_json.h"
-#include "services/library/record_language.h"
 
 namespace cell::library {
 namespace {
@@ -35,22 +35,29 @@ std::vector<std::string> TypesOf(const ActionRecord& record) {
 
 RecordCheck::RecordCheck(const Domain& domain, const PartTable& parts,
                          std::set<std::string> skill_settings)
-    : gallery_(std::make_shared<const Gallery>(domain, parts)),
+    : domain_(domain),
+      parts_(parts),
       skill_settings_(std::move(skill_settings)) {}
 
 RecordCheck RecordCheck::FromTask(const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const Config config = deployment.OfTask("domain.yaml");
-  const Domain domain = Domain::FromConfig(config, parts);
-  domain.PassOverGeometry();
-  domain.PassOverSec();
-  config.Finish();
+  const Task task = LoadTask(deployment);
   std::set<std::string> sections;
   for (const auto& entry : deployment.OfTask("skills.yaml").Entries()) {
     sections.insert(entry.first);
   }
-  return RecordCheck(domain, parts, std::move(sections));
+  return RecordCheck(task.domain, task.parts, std::move(sections));
+}
+
+std::optional<std::string> RecordCheck::WhyOfAnotherTask(
+    const ActionStore& store) const {
+  for (const ActionRecord& record : store.All()) {
+    try {
+      RequireSense(record, store);
+    } catch (const ConfigError& e) {
+      return fmt::format("action {}: {}", record.id, e.what());
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Refusal> RecordCheck::WhyNot(const ActionRecord& record,
@@ -69,8 +76,6 @@ std::optional<Refusal> RecordCheck::WhyNot(const ActionRecord& record,
     return Invalid(std::string("the record ") + e.what());
   } catch (const ConfigError& e) {
     return Invalid(e.what());
-  } catch (const YAML::Exception& e) {  // keys that are no names
-    return Invalid(record.name + ": not the YAML of a domain: " + e.msg);
   }
 }
 
@@ -89,12 +94,21 @@ std::optional<Refusal> RecordCheck::NameRefusal(
                     "and _, {} in all",
                     kMaxName));
   }
-  if (const auto known = store.FindNamed(record.name)) {
-    return Refusal{Refusal::Kind::kDuplicate,
-                   fmt::format("'{}' is there already, with id {}", known->name,
-                               known->id),
-                   known->id};
+  const auto known = store.FindNamed(record.name);
+  if (known && record.version <= known->version) {
+    return Refusal{
+        Refusal::Kind::kDuplicate,
+        fmt::format("'{}' is there already, with id {} and version {}; {} "
+                    "would replace it",
+                    known->name, known->id, known->version, known->version + 1),
+        known->id};
   }
+  const int64_t next = known ? known->version + 1 : 1;
+  if (record.version != next) {
+    return Invalid(fmt::format("it has the version {}; the next of '{}' is {}",
+                               record.version, record.name, next));
+  }
+  if (known) return std::nullopt;
   if (store.Count() >= kMaxActions) {
     return Refusal{
         Refusal::Kind::kTooLarge,
@@ -103,19 +117,20 @@ std::optional<Refusal> RecordCheck::NameRefusal(
   return std::nullopt;
 }
 
-/// @throws ConfigError, YAML::Exception.
+/// @throws ConfigError.
 void RecordCheck::RequireSense(const ActionRecord& record,
                                const ActionStore& store) const {
   const auto fail = [&](const std::string& key, const std::string& what) {
     throw ConfigError(record.name + ":" + key + ": " + what);
   };
-  if (record.agents.empty()) fail("agents", "nobody can do it");
-  if (record.rules.empty()) fail("rules", "missing");
-  const Config config = ConfigOf(record);
-  const Action action =
-      LoadAction(record.name, config, gallery_->domain().vocabulary());
-  if (action.sec) gallery_->Read(action, 0);
-  config.Finish();
+  ActionRecord alone = record;
+  alone.undoes.clear();  // it may undo one that only the store knows
+  ReadActionModel(alone, domain_, parts_);
+  const auto known = store.FindNamed(record.name);
+  if (known && TypesOf(*known) != TypesOf(record)) {
+    fail("arguments", fmt::format("a new version keeps those of the last: {}",
+                                  fmt::join(TypesOf(*known), ", ")));
+  }
   if (!record.undoes.empty()) {
     const auto undone = store.FindNamed(record.undoes);
     if (!undone) fail("undoes", "there is no action '" + record.undoes + "'");

@@ -2,19 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "common/config/deployment.h"
+#include "common/parts/part_table.h"
+#include "common/relational/domain.h"
 #include "services/library/action_store.h"
-
-namespace cell {
-class Domain;
-class Gallery;
-class PartTable;
-}  // namespace cell
 
 namespace cell::library {
 
@@ -30,8 +25,8 @@ struct Refusal {
 /// will read of it must make sense in the words of the task.
 class RecordCheck {
  public:
-  static constexpr size_t kMaxBytes = 65'536;  ///< of a record, as JSON
-  static constexpr size_t kMaxName = 64;       ///< [characters]
+  static constexpr size_t kMaxBytes = ActionRecord::kMaxBytes;
+  static constexpr size_t kMaxName = 64;  ///< [characters]
   static constexpr int64_t kMaxActions = 1000;
 
   /// @param skill_settings  sections of the task's skills.yaml
@@ -43,13 +38,16 @@ class RecordCheck {
   /// Nothing: `store` may keep it.
   std::optional<Refusal> WhyNot(const ActionRecord& record,
                                 const ActionStore& store) const;
+  /// What the store keeps is not of this task; nothing: it is.
+  std::optional<std::string> WhyOfAnotherTask(const ActionStore& store) const;
 
  private:
   std::optional<Refusal> NameRefusal(const ActionRecord& record,
                                      const ActionStore& store) const;
   void RequireSense(const ActionRecord& record, const ActionStore& store) const;
 
-  std::shared_ptr<const Gallery> gallery_;
+  Domain domain_;
+  PartTable parts_;
   std::set<std::string> skill_settings_;
 };
 

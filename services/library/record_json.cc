@@ -13,7 +13,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr char kFormat[] = "actions of a cell";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;  // of 1 records have no version
 
 // The keys of texts, in the order of the struct.
 struct TextKey {
@@ -29,7 +29,8 @@ constexpr std::array kTexts = {
     TextKey{"skill_settings", &ActionRecord::skill_settings}};
 
 ordered_json ToJson(const ActionRecord& record) {
-  ordered_json object = {{"id", record.id}, {"name", record.name}};
+  ordered_json object = {
+      {"id", record.id}, {"version", record.version}, {"name", record.name}};
   object["arguments"] = ordered_json::array();
   for (const auto& [name, type] : record.arguments) {
     object["arguments"].push_back({{"name", name}, {"type", type}});
@@ -98,11 +99,13 @@ std::string JsonOf(const ActionRecord& record) {
 }
 
 ActionRecord RecordFromJson(const json& object, const std::string& where) {
-  std::vector<std::string_view> keys = {"id", "name", "arguments", "agents"};
+  std::vector<std::string_view> keys = {"id", "version", "name", "arguments",
+                                        "agents"};
   for (const TextKey& entry : kTexts) keys.push_back(entry.key);
   RequireObject(object, where, keys);
   ActionRecord record;
   record.id = NumberAt(object, "id", where);
+  record.version = NumberAt(object, "version", where);
   record.name = TextAt(object, "name", where);
   for (const json& item : ListAt(object, "arguments", where)) {
     const std::string place =
@@ -138,12 +141,14 @@ std::vector<ActionRecord> ContentFromText(const std::string& text,
   if (TextAt(content, "format", file) != kFormat) {
     Fail(file + ".format", fmt::format("should be '{}'", kFormat));
   }
-  if (NumberAt(content, "version", file) != kVersion) {
+  const int64_t version = NumberAt(content, "version", file);
+  if (version < 1 || version > kVersion) {
     Fail(file + ".version",
-         fmt::format("is not {}, the one known here", kVersion));
+         fmt::format("is not 1 to {}, those known here", kVersion));
   }
   std::vector<ActionRecord> records;
-  for (const json& item : ListAt(content, "actions", file)) {
+  for (json item : ListAt(content, "actions", file)) {
+    if (version == 1 && item.is_object()) item["version"] = 1;
     records.push_back(RecordFromJson(
         item, fmt::format("{}:actions[{}]", file, records.size())));
   }

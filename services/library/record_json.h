@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/library/action_record.h"
+#include "common/actions/action_record.h"
 
 namespace cell::library {
 

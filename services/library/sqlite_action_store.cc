@@ -121,7 +121,8 @@ std::vector<int64_t> SqliteActionStore::Store(
     SQLite::Transaction transaction(*database_);
     SQLite::Statement insert(
         *database_,
-        "INSERT INTO action (id, name, record, tick) VALUES (?, ?, ?, ?)");
+        "INSERT INTO action (id, name, version, record, tick) "
+        "VALUES (?, ?, ?, ?, ?)");
     int64_t id = 0;
     {
       SQLite::Statement last(*database_, "SELECT max(id) FROM action");
@@ -129,15 +130,17 @@ std::vector<int64_t> SqliteActionStore::Store(
     }
     std::vector<int64_t> ids;
     for (ActionRecord record : records) {
-      if (FindNamed(record.name)) {
+      const auto known = FindNamed(record.name);
+      if (known && known->version >= record.version) {
         throw std::invalid_argument("an action '" + record.name +
                                     "' is there already");
       }
       record.id = ++id;
       insert.bind(1, id);
       insert.bind(2, record.name);
-      insert.bind(3, JsonOf(record));
-      insert.bind(4, tick);
+      insert.bind(3, record.version);
+      insert.bind(4, JsonOf(record));
+      insert.bind(5, tick);
       insert.exec();
       insert.reset();
       ids.push_back(id);
@@ -161,7 +164,8 @@ std::optional<ActionRecord> SqliteActionStore::FindNamed(
     const std::string& name) const {
   return Guarded([&]() -> std::optional<ActionRecord> {
     SQLite::Statement rows(*database_,
-                           "SELECT id, record FROM action WHERE name = ?");
+                           "SELECT id, record FROM action WHERE name = ? "
+                           "ORDER BY version DESC LIMIT 1");
     rows.bind(1, name);
     if (!rows.executeStep()) return std::nullopt;
     return RecordFrom(rows, file_);
@@ -172,7 +176,8 @@ std::vector<ActionRecord> SqliteActionStore::All() const {
   return Guarded([&] {
     std::vector<ActionRecord> records;
     SQLite::Statement rows(*database_,
-                           "SELECT id, record FROM action ORDER BY id");
+                           "SELECT id, record, max(version) FROM action "
+                           "GROUP BY name ORDER BY id");
     while (rows.executeStep()) records.push_back(RecordFrom(rows, file_));
     return records;
   });
@@ -180,7 +185,8 @@ std::vector<ActionRecord> SqliteActionStore::All() const {
 
 int64_t SqliteActionStore::Count() const {
   return Guarded([&] {
-    SQLite::Statement row(*database_, "SELECT count(*) FROM action");
+    SQLite::Statement row(*database_,
+                          "SELECT count(DISTINCT name) FROM action");
     return row.executeStep() ? row.getColumn(0).getInt64() : 0;
   });
 }
@@ -192,6 +198,9 @@ void SqliteActionStore::BeginRun() {
     update.bind(1, kBeforeRun);
     update.bind(2, kBeforeRun);
     update.exec();
+    database_->exec(
+        "DELETE FROM action AS old WHERE EXISTS (SELECT 1 FROM action WHERE "
+        "name = old.name AND version > old.version)");
   });
 }
 

@@ -24,6 +24,22 @@ constexpr std::array kSteps = {
         tick INTEGER NOT NULL
       ) STRICT;
     )sql",
+    // version: counts the records of a name.
+    R"sql(
+      ALTER TABLE action RENAME TO unversioned;
+      CREATE TABLE action (
+        id INTEGER PRIMARY KEY,
+        name TEXT NOT NULL,
+        version INTEGER NOT NULL,
+        record TEXT NOT NULL,
+        tick INTEGER NOT NULL,
+        UNIQUE (name, version)
+      ) STRICT;
+      INSERT INTO action
+        SELECT id, name, 1, json_set(record, '$.version', 1), tick
+        FROM unversioned;
+      DROP TABLE unversioned;
+    )sql",
 };
 
 int Number(const SQLite::Database& database, const char* query) {

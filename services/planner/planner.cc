@@ -3,7 +3,11 @@
 #include <cctype>
 #include <utility>
 
+#include "cell/library_request_t.hpp"
 #include "cell/sense_request_t.hpp"
+#include "common/actions/action_model_reader.h"
+#include "common/actions/record_messages.h"
+#include "common/task/task.h"
 #include "services/planner/execution_messages.h"
 #include "services/planner/planner_config.h"
 #include "services/planner/planner_messages.h"
@@ -22,8 +26,11 @@ std::string InCapitals(std::string text) {
 
 }  // namespace
 
-Planner::Planner(Bus& bus, std::unique_ptr<DecisionMaker> decision_maker)
-    : bus_(bus), decision_maker_(std::move(decision_maker)) {
+Planner::Planner(Bus& bus, Domain domain,
+                 std::unique_ptr<DecisionMaker> decision_maker)
+    : bus_(bus),
+      domain_(std::move(domain)),
+      decision_maker_(std::move(decision_maker)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
   AnswerCommands<command_goal_t>(bus_, "COMMAND_GOAL",
@@ -34,6 +41,8 @@ Planner::Planner(Bus& bus, std::unique_ptr<DecisionMaker> decision_maker)
       "PREDICATES", [this](const auto& m) { return OnPredicates(m); });
   bus_.Subscribe<action_t>("ACTION",
                            [this](const auto& m) { return OnAction(m); });
+  bus_.Subscribe<action_record_t>(
+      "ACTION_RECORD", [this](const auto& m) { return OnRecord(m); });
   bus_.Subscribe<skill_result_t>("SKILL_RESULT",
                                  [this](const auto& m) { return OnResult(m); });
   const RuleSet& rules = decision_maker_->rules();
@@ -51,6 +60,10 @@ Planner::Planner(Bus& bus, std::unique_ptr<DecisionMaker> decision_maker)
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
+  if (!std::exchange(has_asked_, true) && message.phase == episode_t::RUNNING) {
+    bus_.Publish("LIBRARY_REQUEST",
+                 library_request_t{{bus_.now(), 0, 0, 0}, 0});
+  }
   if (message.phase == episode_t::END) {
     decision_maker_->OnEpisodeEnd(Now());
     return true;
@@ -87,6 +100,27 @@ bool Planner::OnAction(const action_t& message) {
   const auto action = FromMessage(message, decision_maker_->rules());
   if (action) Publish(decision_maker_->state().OnAction(*action));
   return action.has_value();
+}
+
+bool Planner::OnRecord(const action_record_t& message) {
+  const auto refuse = [this](const std::string& why) {
+    const Alert alert{Alert::Cause::kBadInput, bus_.now(),
+                      "ACTION_RECORD " + why};
+    bus_.Publish("ALERT", ToMessage(alert));
+    return false;
+  };
+  try {
+    const ActionRecord record = cell::FromMessage(message);
+    if (!domain_.Put(ReadAction(record, domain_))) return true;
+    const int64_t version = decision_maker_->rules().version() + 1;
+    const DecisionMaker::Answer answer = decision_maker_->ReplaceRules(
+        RuleSet::FromDomain(domain_, record.name, version));
+    if (answer.refusal) return refuse(*answer.refusal);
+    Publish(answer.decisions);
+    return true;
+  } catch (const ConfigError& e) {
+    return refuse(e.what());
+  }
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
@@ -126,7 +160,10 @@ void Planner::Publish(const Decisions& decisions) {
 }
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
-  return std::make_unique<Planner>(bus, LoadDecisionMaker(deployment));
+  Domain domain = LoadTask(deployment).domain;
+  auto decision_maker = LoadDecisionMaker(domain, deployment);
+  return std::make_unique<Planner>(bus, std::move(domain),
+                                   std::move(decision_maker));
 }
 
 }  // namespace cell::planner

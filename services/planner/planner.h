@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "cell/action_record_t.hpp"
 #include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -13,6 +14,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
+#include "common/relational/domain.h"
 #include "services/planner/decision_maker.h"
 
 namespace cell::planner {
@@ -21,11 +23,12 @@ namespace cell::planner {
 /// names. Of a person's episode: PREDICATES, ACTION -> PLAN, ALERT. Of the
 /// robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE -> SKILL_REQUEST,
 /// SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since what fails is
-/// the robot's own.
+/// the robot's own. ACTION_RECORD replaces what it knows of an action.
 class Planner final : public Service {
  public:
   /// `bus` must outlive this object.
-  Planner(Bus& bus, std::unique_ptr<DecisionMaker> decision_maker);
+  Planner(Bus& bus, Domain domain,
+          std::unique_ptr<DecisionMaker> decision_maker);
 
  private:
   bool OnEpisode(const episode_t& message);
@@ -33,13 +36,16 @@ class Planner final : public Service {
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
   bool OnAction(const action_t& message);
+  bool OnRecord(const action_record_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
   Instant Now() const { return {bus_.now(), bus_.tick()}; }
   void Publish(const Decisions& decisions);
 
   Bus& bus_;
+  Domain domain_;  // with the actions that the library has
   std::unique_ptr<DecisionMaker> decision_maker_;
+  bool has_asked_ = false;  // for records, or they come unasked
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "common/parts/part_table.h"
 #include "services/planner/plan_search.h"
 
 namespace cell::planner {
@@ -64,20 +63,10 @@ Watch::Params LoadWatch(const Config& config) {
   return params;
 }
 
-Domain LoadDomain(const Deployment& deployment) {
-  const Config parts = deployment.OfTask("parts.yaml");
-  const Config config = deployment.OfTask("domain.yaml");
-  Domain domain = Domain::FromConfig(config, PartTable::FromConfig(parts));
-  domain.PassOverGeometry();
-  domain.PassOverSec();
-  config.Finish();
-  return domain;
-}
-
 }  // namespace
 
-std::unique_ptr<DecisionMaker> LoadDecisionMaker(const Deployment& deployment) {
-  const Domain domain = LoadDomain(deployment);
+std::unique_ptr<DecisionMaker> LoadDecisionMaker(const Domain& domain,
+                                                 const Deployment& deployment) {
   const auto rules = RuleSet::FromDomain(domain);
   const Config config = deployment.ForService("planner");
   DecisionMaker::Params params;

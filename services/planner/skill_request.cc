@@ -3,21 +3,6 @@
 #include <algorithm>
 
 namespace cell::planner {
-namespace {
-
-std::string NameOf(Skill::Kind kind) {
-  switch (kind) {
-    case Skill::Kind::kInsert:
-      return "insert";
-    case Skill::Kind::kPresent:
-      return "present";
-    case Skill::Kind::kPutDown:
-      return "put_down";
-  }
-  return "";
-}
-
-}  // namespace
 
 std::optional<SkillRequest> RequestFor(const GroundAction& action,
                                        const RuleSet& rules) {

@@ -3,9 +3,8 @@
 #include <utility>
 
 #include "cell/predicates_t.hpp"
-#include "common/layout/cell_layout.h"
-#include "common/relational/domain.h"
 #include "common/sec/scene.h"
+#include "common/task/task.h"
 
 namespace cell::predicate_estimator {
 namespace {
@@ -95,18 +94,9 @@ void PredicateEstimator::Sense(const KeyFrame& frame) {
 
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
                                                 const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  const Config domain_config = deployment.OfTask("domain.yaml");
-  const Domain domain = Domain::FromConfig(domain_config, parts);
-  domain.PassOverSec();
-  const PredicateEstimator::Params params{
-      Cast(parts, layout), domain.vocabulary(),
-      std::make_shared<const PredicateSensor>(domain.vocabulary(), parts,
-                                              layout.workspace, domain_config)};
-  domain_config.Finish();
+  const Task task = LoadTask(deployment);
+  const PredicateEstimator::Params params{task.cast, task.domain.vocabulary(),
+                                          task.MakeSensor()};
   deployment.ForService("predicate_estimator").Finish();
   return std::make_unique<PredicateEstimator>(bus, params);
 }

@@ -1,35 +1,18 @@
 #include "services/recognizer/manipulation.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cell::recognizer {
-namespace {
 
-// An action read backwards begins with its placement.
-const Moment& Beginning(const GalleryEntry& entry, Reading reading) {
-  return reading == Reading::kForward ? entry.pick : entry.place;
-}
-
-const Moment& End(const GalleryEntry& entry, Reading reading) {
-  return reading == Reading::kForward ? entry.place : entry.pick;
-}
-
-}  // namespace
-
-Manipulation::Manipulation(const Gallery& gallery, std::string part,
-                           int64_t pick_index, int64_t pick_utime,
-                           std::shared_ptr<const SensedFrame> before)
-    : gallery_(&gallery),
-      part_(std::move(part)),
-      pick_index_(pick_index),
-      pick_utime_(pick_utime),
-      before_(std::move(before)) {
-  for (const Reading reading : {Reading::kReversed, Reading::kForward}) {
-    for (const GalleryEntry& entry : gallery.entries()) {
-      for (const Binding& binding : gallery.BindingsFor(entry, part_)) {
-        if (gallery.MayBe(Beginning(entry, reading), binding, *before_)) {
-          hypotheses_.push_back({&entry, binding, reading});
-        }
+Manipulation::Manipulation(const SecLibrary& library, PickUp pick_up)
+    : pick_up_(std::move(pick_up)), threshold_(library.threshold()) {
+  chain_.Append(before().frame.relations);
+  for (const auto direction :
+       {ActionDirection::kReversed, ActionDirection::kForward}) {
+    for (const auto& model : library.models()) {
+      for (auto& roles : model->RolesAtPickUp(part(), before(), direction)) {
+        hypotheses_.push_back({model, std::move(roles), direction});
       }
     }
   }
@@ -37,12 +20,16 @@ Manipulation::Manipulation(const Gallery& gallery, std::string part,
 
 std::vector<Manipulation::Hypothesis> Manipulation::CompletedBy(
     const SensedFrame& after) const {
+  const ObservedManipulation observed{part(), before(), after, chain_};
   std::vector<Hypothesis> completed;
+  double best = threshold_;
   for (const Hypothesis& hypothesis : hypotheses_) {
-    if (gallery_->MustBe(End(*hypothesis.entry, hypothesis.reading),
-                         hypothesis.binding, after)) {
-      completed.push_back(hypothesis);
-    }
+    const double agreement = hypothesis.model->Agreement(
+        observed, hypothesis.roles, hypothesis.direction);
+    if (agreement < best) continue;
+    if (agreement > best) completed.clear();
+    best = agreement;
+    completed.push_back(hypothesis);
   }
   return completed;
 }

@@ -6,48 +6,52 @@
 #include <string>
 #include <vector>
 
-#include "common/sec/gallery.h"
+#include "common/sec/event_chain.h"
+#include "common/sec/sec_library.h"
 
 namespace cell::recognizer {
 
-/// What an action is read as: done, undone, or none that is known.
-enum class Reading : int8_t { kForward = 0, kReversed = 1, kUnknown = 2 };
-
-/// A part in somebody's hands, from the pick-up on, with every action and role
-/// binding that the key frames so far may turn out to be.
+/// A part in somebody's hands, from the pick-up on, with every action in every
+/// roles that the key frames so far may turn out to be.
 class Manipulation {
  public:
   struct Hypothesis {
-    const GalleryEntry* entry;
-    Binding binding;
-    Reading reading;  // forward or reversed
+    std::shared_ptr<const SecModel> model;
+    SecModel::Roles roles;
+    ActionDirection direction;  // forward or reversed
+  };
+  struct PickUp {
+    std::string part;
+    int64_t index = 0;  ///< key frame
+    int64_t utime = 0;  ///< [us]
+    /// The key frame before the pick-up: the hand has not moved anything yet.
+    std::shared_ptr<const SensedFrame> before;
   };
 
-  /// `before` is the key frame before the pick-up: the hand has not moved
-  /// anything yet. @pre not null; `gallery` outlives this object.
-  Manipulation(const Gallery& gallery, std::string part, int64_t pick_index,
-               int64_t pick_utime, std::shared_ptr<const SensedFrame> before);
+  /// @pre `pick_up.before` is not null.
+  Manipulation(const SecLibrary& library, PickUp pick_up);
 
   void AddHand(const std::string& hand) { hands_.insert(hand); }
+  /// A key frame from the pick-up on.
+  void Append(const TouchGraph& relations) { chain_.Append(relations); }
 
-  /// The hypotheses that the key frame of the placement completes; those
-  /// reversed come first: what was undone came before what was done.
+  /// The hypotheses that agree best with the manipulation that ends in `after`,
+  /// if they reach the threshold; those reversed come first: what was undone
+  /// came before what was done.
   std::vector<Hypothesis> CompletedBy(const SensedFrame& after) const;
 
-  const std::string& part() const { return part_; }
+  const std::string& part() const { return pick_up_.part; }
   const std::set<std::string>& hands() const { return hands_; }
-  int64_t pick_index() const { return pick_index_; }
-  int64_t pick_utime() const { return pick_utime_; }
-  const SensedFrame& before() const { return *before_; }
+  int64_t pick_index() const { return pick_up_.index; }
+  int64_t pick_utime() const { return pick_up_.utime; }
+  const SensedFrame& before() const { return *pick_up_.before; }
   /// Not yet contradicted.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
  private:
-  const Gallery* gallery_;
-  std::string part_;
-  int64_t pick_index_;
-  int64_t pick_utime_;
-  std::shared_ptr<const SensedFrame> before_;
+  PickUp pick_up_;
+  double threshold_;
+  EventChain chain_;  // from the key frame before the pick-up on
   std::set<std::string> hands_;
   std::vector<Hypothesis> hypotheses_;
 };

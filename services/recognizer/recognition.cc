@@ -11,12 +11,12 @@ namespace cell::recognizer {
 using Eigen::Isometry3d;
 
 Recognition::Recognition(const Cast& cast, const PartTable& parts,
-                         std::shared_ptr<const Gallery> gallery,
+                         std::shared_ptr<const SecLibrary> library,
                          std::shared_ptr<const PredicateSensor> sensor,
                          const Params& params)
     : cast_(cast),
       parts_(parts),
-      gallery_(std::move(gallery)),
+      library_(std::move(library)),
       sensor_(std::move(sensor)),
       params_(params) {}
 
@@ -70,12 +70,15 @@ void Recognition::UpdateHeld(const std::shared_ptr<const SensedFrame>& now,
     if (it == manipulations_.end() && !hands.empty()) {
       it = manipulations_
                .emplace(part,
-                        Manipulation(*gallery_, part, frame.index, frame.utime,
-                                     previous_ ? previous_ : now))
+                        Manipulation(*library_, {part, frame.index, frame.utime,
+                                                 previous_ ? previous_ : now}))
                .first;
     }
     if (it == manipulations_.end()) continue;
     for (const std::string& hand : hands) it->second.AddHand(hand);
+    if (now->frame.index > it->second.before().frame.index) {
+      it->second.Append(frame.relations);
+    }
     if (!hands.empty()) continue;
     placed.push_back(std::move(it->second));
     manipulations_.erase(it);
@@ -149,14 +152,9 @@ RecognisedAction Recognition::Report(const Manipulation& manipulation,
   last_placed_[manipulation.part()] = after.frame.index;
   RecognisedAction action;
   if (hypothesis) {
-    const Domain& domain = gallery_->domain();
-    action.reading = hypothesis->reading;
-    action.name =
-        domain.actions()[static_cast<size_t>(hypothesis->entry->action)].name;
-    for (const int object : hypothesis->binding) {
-      action.arguments.push_back(
-          domain.vocabulary().objects()[static_cast<size_t>(object)].name);
-    }
+    action.direction = hypothesis->direction;
+    action.name = hypothesis->model->action();
+    action.arguments = hypothesis->roles;
   }
   action.part = manipulation.part();
   action.hands.assign(manipulation.hands().begin(), manipulation.hands().end());

@@ -4,18 +4,19 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/sec/cast.h"
-#include "common/sec/gallery.h"
 #include "common/sec/predicate_sensor.h"
+#include "common/sec/sec_library.h"
 #include "services/recognizer/manipulation.h"
 
 namespace cell::recognizer {
 
 /// A manipulation that was recognised.
 struct RecognisedAction {
-  Reading reading = Reading::kUnknown;
+  ActionDirection direction = ActionDirection::kUnknown;
   std::string name;                    ///< empty if unknown
   std::vector<std::string> arguments;  ///< in the action's order
   std::string part;                    ///< what was moved
@@ -39,12 +40,17 @@ class Recognition {
   };
 
   Recognition(const Cast& cast, const PartTable& parts,
-              std::shared_ptr<const Gallery> gallery,
+              std::shared_ptr<const SecLibrary> library,
               std::shared_ptr<const PredicateSensor> sensor,
               const Params& params);
 
   /// @pre frames come in their order.
   std::vector<RecognisedAction> Update(const KeyFrame& frame);
+
+  /// What is picked up from now on is read with this library.
+  void Use(std::shared_ptr<const SecLibrary> library) {
+    library_ = std::move(library);
+  }
 
   /// Of parts that are in somebody's hands now.
   const std::map<std::string, Manipulation>& manipulations() const {
@@ -69,7 +75,7 @@ class Recognition {
 
   Cast cast_;
   PartTable parts_;
-  std::shared_ptr<const Gallery> gallery_;
+  std::shared_ptr<const SecLibrary> library_;
   std::shared_ptr<const PredicateSensor> sensor_;
   Params params_;
   std::shared_ptr<const SensedFrame> previous_;

@@ -1,10 +1,14 @@
 #include "services/recognizer/recognizer.h"
 
 #include <numbers>
+#include <utility>
 
 #include "cell/action_t.hpp"
-#include "common/layout/cell_layout.h"
+#include "cell/library_request_t.hpp"
+#include "common/actions/record_messages.h"
+#include "common/sec/condition_library.h"
 #include "common/sec/key_frame.h"
+#include "common/task/task.h"
 
 namespace cell::recognizer {
 namespace {
@@ -13,7 +17,7 @@ action_t ToMessage(const RecognisedAction& action, int64_t index) {
   action_t message{};
   message.header.utime = action.place_utime;
   message.index = index;
-  message.kind = static_cast<int8_t>(action.reading);
+  message.kind = static_cast<int8_t>(action.direction);
   message.name = action.name;
   message.arguments = action.arguments;
   message.num_arguments = static_cast<int32_t>(action.arguments.size());
@@ -26,21 +30,36 @@ action_t ToMessage(const RecognisedAction& action, int64_t index) {
   return message;
 }
 
+/// The models that were written by hand are the only ones yet.
+std::shared_ptr<const SecLibrary> MakeConditionLibrary(
+    const ActionModels& actions) {
+  std::vector<ConditionLibrary::Entry> entries;
+  for (const ActionModel& model : actions.models()) {
+    if (!model.sec) continue;
+    entries.push_back({model.action.name, model.action.arguments, *model.sec});
+  }
+  return std::make_shared<const ConditionLibrary>(
+      std::move(entries), actions.domain().vocabulary(), actions.parts());
+}
+
 }  // namespace
 
 Recognizer::Recognizer(Bus& bus, const Params& params)
-    : bus_(bus), params_(params) {
+    : bus_(bus), params_(params), actions_(params.actions) {
   Begin();
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
   bus.Subscribe<key_frame_t>(
       "KEY_FRAME", [this](const key_frame_t& m) { return OnKeyFrame(m); });
+  bus.Subscribe<action_record_t>(
+      "ACTION_RECORD",
+      [this](const action_record_t& m) { return OnRecord(m); });
 }
 
 void Recognizer::Begin() {
-  recognition_ = std::make_unique<Recognition>(params_.cast, params_.parts,
-                                               params_.gallery, params_.sensor,
-                                               params_.recognition);
+  recognition_ = std::make_unique<Recognition>(
+      params_.cast, actions_.parts(), params_.make_library(actions_),
+      params_.sensor, params_.recognition);
   last_key_frame_ = -1;
   next_index_ = 0;
 }
@@ -49,6 +68,11 @@ bool Recognizer::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::START) {
     Begin();
     start_utime_ = message.header.utime;
+  }
+  if (!std::exchange(has_asked_, true) && message.phase == episode_t::RUNNING) {
+    library_request_t all{};
+    all.header.utime = bus_.now();
+    bus_.Publish("LIBRARY_REQUEST", all);
   }
   return message.phase >= episode_t::START &&
          message.phase <= episode_t::RUNNING;
@@ -65,22 +89,20 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
   return true;
 }
 
+bool Recognizer::OnRecord(const action_record_t& message) {
+  const ActionModels::Update update = actions_.Take(FromMessage(message));
+  if (update.has_changed) recognition_->Use(params_.make_library(actions_));
+  return update.refusal.empty();
+}
+
 std::unique_ptr<Service> MakeRecognizer(Bus& bus,
                                         const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  const Config domain_config = deployment.OfTask("domain.yaml");
-  const Domain domain = Domain::FromConfig(domain_config, parts);
-  Recognizer::Params params{
-      Cast(parts, layout),
-      parts,
-      std::make_shared<const Gallery>(domain, parts),
-      std::make_shared<const PredicateSensor>(domain.vocabulary(), parts,
-                                              layout.workspace, domain_config),
-      {}};
-  domain_config.Finish();
+  const Task task = LoadTask(deployment);
+  Recognizer::Params params{task.cast,
+                            {task.domain, task.parts, task.actions},
+                            MakeConditionLibrary,
+                            task.MakeSensor(),
+                            {}};
   const Config config = deployment.ForService("recognizer");
   params.recognition.moved = config.Number("moved_mm", 0, 1000) * 1e-3;
   params.recognition.turned =

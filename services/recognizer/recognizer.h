@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 
+#include "cell/action_record_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
+#include "common/actions/action_models.h"
 #include "common/bus/bus.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
@@ -13,13 +15,18 @@
 namespace cell::recognizer {
 
 /// KEY_FRAME -> ACTION: names manipulations, forward or reversed, and tells
-/// unknown ones (section VII-A).
+/// unknown ones (section VII-A). ACTION_RECORD replaces what it knows of an
+/// action; who joins an episode that runs asks for them by LIBRARY_REQUEST.
 class Recognizer final : public Service {
  public:
   struct Params {
+    /// Makes the library of SEC models of what is known.
+    using MakeSecLibrary =
+        std::function<std::shared_ptr<const SecLibrary>(const ActionModels&)>;
+
     Cast cast;
-    PartTable parts;
-    std::shared_ptr<const Gallery> gallery;
+    ActionModels actions;
+    MakeSecLibrary make_library;
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
   };
@@ -30,14 +37,17 @@ class Recognizer final : public Service {
  private:
   bool OnEpisode(const episode_t& message);
   bool OnKeyFrame(const key_frame_t& message);
+  bool OnRecord(const action_record_t& message);
   void Begin();
 
   Bus& bus_;
   Params params_;
+  ActionModels actions_;                      // as the library has told them
   std::unique_ptr<Recognition> recognition_;  // of the episode
   int64_t start_utime_ = 0;                   // of the episode
   int64_t last_key_frame_ = -1;
   int64_t next_index_ = 0;
+  bool has_asked_ = false;  // or the library publishes unasked
 };
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus, const Deployment& deployment);

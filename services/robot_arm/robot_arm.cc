@@ -14,6 +14,7 @@
 #include "common/layout/limit_words.h"
 #include "common/sec/track.h"
 #include "common/skills/skill_arguments.h"
+#include "common/task/task.h"
 #include "services/robot_arm/skills/skill_catalog.h"
 
 namespace cell::robot_arm {
@@ -291,19 +292,17 @@ void RobotArm::PublishReport() {
 
 std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
                                       const std::string& instance) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
+  const Task task = LoadTask(deployment);
   const Config layout_config = deployment.OfTask("cell.yaml");
-  const CellLayout layout = CellLayout::FromConfig(layout_config);
-  if (layout.FindArm(instance) == nullptr) {
+  if (task.layout.FindArm(instance) == nullptr) {
     layout_config["arms"].Fail("there is no arm '" + instance + "'");
   }
-  CheckCell(layout_config, parts, layout);
+  CheckCell(layout_config, task.parts, task.layout);
   const SkillSettings settings =
-      SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), parts);
+      SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
   return std::make_unique<RobotArm>(
-      bus, RobotArm::Params{{instance, layout, parts, settings},
-                            Cast(parts, layout)});
+      bus, RobotArm::Params{{instance, task.layout, task.parts, settings},
+                            task.cast});
 }
 
 }  // namespace cell::robot_arm

@@ -1,16 +1,16 @@
 #include "services/sec_builder/sec_builder.h"
 
-#include "common/layout/cell_layout.h"
 #include "common/sec/track.h"
+#include "common/task/task.h"
 
 namespace cell::sec_builder {
 
 SecBuilder::SecBuilder(Bus& bus, const Params& params)
     : bus_(bus),
       cast_(params.cast),
-      chain_params_(params.chain),
+      extractor_params_(params.extractor),
       sensor_(params.cast, params.parts, params.proximity),
-      chain_(params.cast, params.chain) {
+      extractor_(params.cast, params.extractor) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
   bus.Subscribe<tracks_t>("TRACKS",
@@ -19,7 +19,7 @@ SecBuilder::SecBuilder(Bus& bus, const Params& params)
 
 bool SecBuilder::OnEpisode(const episode_t& message) {
   if (message.phase == episode_t::START) {
-    chain_ = EventChain(cast_, chain_params_);
+    extractor_ = KeyFrameExtractor(cast_, extractor_params_);
     start_utime_ = message.header.utime;
     last_utime_.reset();
     first_index_ = 0;
@@ -35,7 +35,7 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
   last_utime_ = tracks->utime;
   // A life that begins within an episode has seen fewer key frames than ticks.
   if (!first_index_) first_index_ = bus_.tick();
-  for (KeyFrame& frame : chain_.Update(*tracks, sensor_.Measure(*tracks))) {
+  for (KeyFrame& frame : extractor_.Update(*tracks, sensor_.Measure(*tracks))) {
     frame.index += *first_index_;
     bus_.Publish("KEY_FRAME", KeyFrameToMessage(frame));
   }
@@ -44,13 +44,10 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
 
 std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
                                         const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  SecBuilder::Params params{Cast(parts, layout), parts, {}, {}};
+  const Task task = LoadTask(deployment);
+  SecBuilder::Params params{task.cast, task.parts, {}, {}};
   const Config config = deployment.ForService("sec_builder");
-  PairFilter::Params& pair = params.chain.pair;
+  PairFilter::Params& pair = params.extractor.pair;
   pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;
   pair.release = config.Number("release_mm", 0.01, 1000) * 1e-3;
   if (pair.release < pair.touch) {
@@ -58,8 +55,9 @@ std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
   }
   pair.stick_out = pair.release - pair.touch;
   pair.confirm_frames = config.Integer("confirm_frames", 1, 100);
-  params.chain.merge_us = config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
-  params.chain.absent_us =
+  params.extractor.merge_us =
+      config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
+  params.extractor.absent_us =
       config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
   config.Finish();
   params.proximity = {pair.touch / 2, 1.5 * pair.release};

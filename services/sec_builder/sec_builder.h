@@ -9,7 +9,7 @@
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
 #include "common/sec/cast.h"
-#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 
 namespace cell::sec_builder {
@@ -21,7 +21,7 @@ class SecBuilder final : public Service {
     Cast cast;
     PartTable parts;
     ProximitySensor::Params proximity;
-    EventChain::Params chain;
+    KeyFrameExtractor::Params extractor;
   };
 
   /// `bus` must outlive this object.
@@ -33,9 +33,9 @@ class SecBuilder final : public Service {
 
   Bus& bus_;
   Cast cast_;
-  EventChain::Params chain_params_;
+  KeyFrameExtractor::Params extractor_params_;
   ProximitySensor sensor_;
-  EventChain chain_;                    // of the episode
+  KeyFrameExtractor extractor_;         // of the episode
   int64_t start_utime_ = 0;             // of the episode
   std::optional<int64_t> last_utime_;   // of its tracks
   std::optional<int64_t> first_index_;  // of its key frames

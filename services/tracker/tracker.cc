@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/parts/part_table.h"
+#include "common/task/task.h"
 
 namespace cell::tracker {
 
@@ -38,11 +39,8 @@ void Tracker::PublishTracks() {
 }
 
 std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment) {
-  const PartTable parts =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  Tracker::Params params{Cast(parts, layout), layout, 12, {}};
+  const Task task = LoadTask(deployment);
+  Tracker::Params params{task.cast, task.layout, 12, {}};
   const Config config = deployment.ForService("tracker");
   const auto sensing = config.Get<std::string>("sensing");
   if (sensing != "ideal") {

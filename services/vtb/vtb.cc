@@ -16,6 +16,7 @@
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
 #include "common/geometry/pose.h"
+#include "common/task/task.h"
 
 namespace cell::vtb {
 namespace {
@@ -343,8 +344,9 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   Vtb::Params params;
   // The folder may be given with a slash at its end.
   params.task = (deployment.task_dir / "").parent_path().filename().string();
-  params.parts = PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  params.layout = CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  const Task task = LoadTask(deployment);
+  params.parts = task.parts;
+  params.layout = task.layout;
   params.book = DemonstratorBook::FromConfig(
       deployment.OfTask("demonstrators.yaml"), params.parts);
 

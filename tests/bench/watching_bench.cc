@@ -4,7 +4,7 @@
 #include <string>
 
 #include "services/recognizer/recognition.h"
-#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 #include "services/tracker/ideal_tracker.h"
 #include "tests/unit/stage_testing.h"
@@ -55,18 +55,18 @@ BENCHMARK(MeasureProximities)
     ->Arg(kHandsAtWork)
     ->Unit(benchmark::kMicrosecond);
 
-void UpdateEventChain(benchmark::State& state) {
+void UpdateKeyFrameExtractor(benchmark::State& state) {
   Watched watched(kHandsAtWork);
   const Proximities proximities =
       ProximitySensor(watched.task.cast, watched.task.parts, {})
           .Measure(watched.tracks);
-  EventChain chain(watched.task.cast, {});
+  KeyFrameExtractor extractor(watched.task.cast, {});
   for (auto _ : state) {
     watched.tracks.utime += 96'000;
-    benchmark::DoNotOptimize(chain.Update(watched.tracks, proximities));
+    benchmark::DoNotOptimize(extractor.Update(watched.tracks, proximities));
   }
 }
-BENCHMARK(UpdateEventChain)->Unit(benchmark::kMicrosecond);
+BENCHMARK(UpdateKeyFrameExtractor)->Unit(benchmark::kMicrosecond);
 
 void TracksThroughTheirMessage(benchmark::State& state) {
   const Watched watched(kBegin);
@@ -79,7 +79,7 @@ BENCHMARK(TracksThroughTheirMessage)->Unit(benchmark::kMicrosecond);
 
 void SenseAllPredicates(benchmark::State& state) {
   Watched watched(static_cast<int>(state.range(0)));
-  const auto sensor = watched.task.Sensor();
+  const auto sensor = watched.task.MakeSensor();
   const Scene scene = SceneOf(watched.stage.Frame(), watched.task.cast);
   for (auto _ : state) benchmark::DoNotOptimize(sensor->Sense(scene));
 }
@@ -91,10 +91,9 @@ BENCHMARK(SenseAllPredicates)
 // Two key frames: picked up, and let go.
 void RecogniseATouch(benchmark::State& state) {
   Watched watched(kAssembled);
-  Recognition recognition(
-      watched.task.cast, watched.task.parts,
-      std::make_shared<const Gallery>(watched.task.domain, watched.task.parts),
-      watched.task.Sensor(), {});
+  Recognition recognition(watched.task.cast, watched.task.parts,
+                          watched.task.MakeSecLibrary(),
+                          watched.task.MakeSensor(), {});
   watched.stage.Hold("hand_left", "shaft");
   const KeyFrame held = watched.stage.Frame();
   watched.stage.LetGo("hand_left", "shaft");

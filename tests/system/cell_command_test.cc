@@ -192,8 +192,8 @@ TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
 TEST_F(CellCommand, EveryCommandShowsAnExample) {
   for (const char* command :
        {"", "demo", "sim", "replay", "diff", "eval", "eval watch",
-        "eval assembly", "eval insertion", "check", "view", "episode", "hold",
-        "resume", "goal"}) {
+        "eval assembly", "eval insertion", "check", "chain", "view", "episode",
+        "hold", "resume", "goal"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -91,7 +91,7 @@ TEST_F(LibraryCommand, AnotherActionOfTheSameNameIsRefused) {
   const ShellResult run = Cell("library import a/library.json --database a");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' is there "
-                                    "already, with id 1; nothing was"));
+                                    "already, with id 1 and version 1"));
 }
 
 TEST_F(LibraryCommand, AMissingDatabaseIsNamedAndNotMade) {

@@ -4,12 +4,13 @@
 #include <functional>
 #include <random>
 
-#include "common/sec/gallery.h"
+#include "common/actions/action_model_reader.h"
+#include "common/actions/action_model_writer.h"
+#include "common/actions/action_models.h"
+#include "common/actions/record_messages.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/record_check.h"
 #include "services/library/record_json.h"
-#include "services/library/record_language.h"
-#include "services/library/record_messages.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -41,37 +42,21 @@ class Records : public testing::Test {
   }
 
   const ShippedTask task_;
-  const std::vector<ActionRecord> of_task_ = TaskActions(task_.domain_config);
+  const std::vector<ActionRecord> of_task_ =
+      WriteActionModels(task_.actions, task_.domain);
   const MemoryActionStore known_{of_task_};
   const RecordCheck check_ = RecordCheck::FromTask(ShippedDeployment());
 };
 
-TEST_F(Records, OfTheTaskSayWhatItsDomainSays) {
+TEST_F(Records, AreReadAsTheModelsThatWereWritten) {
   ASSERT_EQ(of_task_.size(), task_.domain.actions().size());
-  const Gallery gallery(task_.domain, task_.parts);
-  size_t num_recognised = 0;
   for (size_t i = 0; i < of_task_.size(); ++i) {
-    const Config config = ConfigOf(of_task_[i]);
-    const Action read =
-        LoadAction(of_task_[i].name, config, task_.domain.vocabulary());
-    const Action& written = task_.domain.actions()[i];
-    EXPECT_EQ(read.name, written.name);
-    EXPECT_EQ(read.arguments, written.arguments);
-    EXPECT_EQ(read.agents, written.agents);
-    EXPECT_EQ(read.rules, written.rules) << read.name;
-    EXPECT_EQ(read.skill, written.skill) << read.name;
-    ASSERT_EQ(read.sec.has_value(), written.sec.has_value()) << read.name;
-    if (read.sec) {
-      const GalleryEntry entry = gallery.Read(read, static_cast<int>(i));
-      const GalleryEntry& shipped = gallery.entries()[num_recognised++];
-      EXPECT_EQ(entry.moved, shipped.moved);
-      EXPECT_EQ(entry.pick.where, shipped.pick.where) << read.name;
-      EXPECT_EQ(entry.place.where, shipped.place.where) << read.name;
-      EXPECT_EQ(entry.pick.touch, shipped.pick.touch) << read.name;
-    }
-    config.Finish();
+    const ActionModel read =
+        ReadActionModel(of_task_[i], task_.domain, task_.parts);
+    EXPECT_EQ(read, task_.actions[i]) << of_task_[i].rules;
+    EXPECT_EQ(WriteActionModel(read, task_.domain), of_task_[i]);
+    EXPECT_EQ(ReadAction(of_task_[i], task_.domain), task_.domain.actions()[i]);
   }
-  EXPECT_EQ(num_recognised, gallery.entries().size());
 }
 
 TEST_F(Records, OfTheTaskMayBeKeptOneAfterTheOther) {
@@ -131,6 +116,85 @@ TEST_F(Records, AreRefusedForAReason) {
               HasSubstr("skills.yaml has no section 'juggling'"));
 }
 
+TEST_F(Records, OfAnotherDomainOrWithoutVariablesSayWhatWouldBeRight) {
+  EXPECT_THAT(ReasonFor([](auto& r) {
+                r.rules = "- {context: [DoorOpen(X)], outcomes: [], noise: 1}";
+              }),
+              HasSubstr("LayAside:rules[0].context[0]"));
+  EXPECT_THAT(ReasonFor([](auto& r) {
+                r.sec =
+                    "moved: X\npick: {where: [HeadScrewed(head)]}\n"
+                    "place: {where: [\"PegInHole(X, Y)\"]}";
+              }),
+              HasSubstr("LayAside:sec.pick: says nothing of X"));
+  EXPECT_THAT(ReasonFor([](auto& r) {
+                r.sec =
+                    "moved: X\npick: {where: [Horizontal(X)]}\n"
+                    "place: {where: [not Horizontal(X)]}";
+              }),
+              HasSubstr("neither pick nor place speaks of Y"));
+  EXPECT_THAT(ReasonFor([](auto& r) {
+                r.rules =
+                    "- {agents: [robot], context: [], outcomes: [], "
+                    "noise: 1}";
+              }),
+              HasSubstr("LayAside:rules[0].agents: not all of them"));
+}
+
+TEST_F(Records, ReplaceTheLastOfTheirNameByTheNextVersion) {
+  ActionRecord record = *known_.FindNamed("RemoveHead");
+  record.id = 0;
+  record.version = 2;
+  EXPECT_FALSE(check_.WhyNot(record, known_));
+  record.version = 3;
+  EXPECT_THAT(check_.WhyNot(record, known_)->reason,
+              HasSubstr("has the version 3; the next of 'RemoveHead' is 2"));
+  record.version = 2;
+  record.arguments[0].type = "peg";
+  record.rules = "- {context: [], outcomes: [], noise: 1}";
+  EXPECT_THAT(check_.WhyNot(record, known_)->reason,
+              HasSubstr("a new version keeps those of the last: head"));
+  EXPECT_THAT(ReasonFor([](auto& r) { r.version = 2; }),
+              HasSubstr("the next of 'LayAside' is 1"));
+}
+
+TEST_F(Records, OfAnotherTaskInAStoreAreNamed) {
+  EXPECT_EQ(check_.WhyOfAnotherTask(known_), std::nullopt);
+  ActionRecord record = New();
+  record.arguments[0].type = "cabin_door";
+  MemoryActionStore store{{&record, 1}};
+  EXPECT_THAT(check_.WhyOfAnotherTask(store).value(),
+              HasSubstr("action 1: LayAside:arguments.X"));
+}
+
+TEST_F(Records, ReplaceTheModelsThatAreKnown) {
+  ActionModels models(task_.domain, task_.parts, task_.actions);
+  for (const ActionRecord& record : of_task_) {
+    const auto same = models.Take(record);
+    EXPECT_FALSE(same.has_changed) << record.name;
+    EXPECT_EQ(same.refusal, "");
+  }
+  ActionRecord changed = *known_.FindNamed("RemoveHead");
+  changed.version = 2;
+  changed.rules =
+      "- {context: [HeadScrewed(X)], outcomes: [{probability: 0.5, effects: "
+      "[not HeadScrewed(X)]}], noise: 0.5}";
+  EXPECT_TRUE(models.Take(changed).has_changed);
+  EXPECT_FALSE(models.Take(changed).has_changed);
+  const int place = *models.domain().FindAction("RemoveHead");
+  EXPECT_EQ(models.domain().actions()[place].rules[0].noise, 0.5);
+  EXPECT_EQ(models.models()[place].version, 2);
+  EXPECT_EQ(models.models().size(), task_.actions.size());
+
+  EXPECT_TRUE(models.Take(New()).has_changed);
+  EXPECT_EQ(models.models().back().action.name, "LayAside");
+  changed.rules = "- nonsense";
+  const auto refused = models.Take(changed);
+  EXPECT_FALSE(refused.has_changed);
+  EXPECT_THAT(refused.refusal, HasSubstr("RemoveHead:rules[0]"));
+  EXPECT_EQ(models.models()[place].version, 2);
+}
+
 TEST_F(Records, ThatAreThereOrTooLargeAreRefusedAsSuch) {
   ActionRecord record = New();
   record.name = "RemoveHead";
@@ -172,6 +236,14 @@ TEST_F(Records, AreTheSameAfterTheirMessageAndTheirJson) {
   EXPECT_EQ(ContentFromText(TextOfContent(records), "a.json"), records);
 }
 
+TEST_F(Records, OfTheFirstFormatHaveTheFirstVersion) {
+  std::string text = TextOfContent({of_task_[0]});
+  const std::string of_record = "\"version\": 1,";
+  text.erase(text.find(of_record), of_record.size());
+  text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
+  EXPECT_EQ(ContentFromText(text, "a.json"), std::vector{of_task_[0]});
+}
+
 TEST_F(Records, AreReadStrictlyFromJson) {
   const std::string good = TextOfContent({of_task_[0]});
   const auto complaint = [&](const std::string& from, const std::string& to) {
@@ -187,8 +259,8 @@ TEST_F(Records, AreReadStrictlyFromJson) {
   };
   EXPECT_EQ(complaint("\"id\"", "\"id\""), "");
   EXPECT_THAT(complaint("{", ""), HasSubstr("a.json: is not JSON"));
-  EXPECT_THAT(complaint("\"version\": 1", "\"version\": 2"),
-              HasSubstr("a.json.version: is not 1"));
+  EXPECT_THAT(complaint("\"version\": 2", "\"version\": 3"),
+              HasSubstr("a.json.version: is not 1 to 2"));
   EXPECT_THAT(complaint("actions of a cell", "recipes"),
               HasSubstr("a.json.format: should be"));
   EXPECT_THAT(complaint("\"id\": 0", "\"id\": 0.5"),

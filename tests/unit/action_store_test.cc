@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "services/library/memory_action_store.h"
+#include "services/library/record_json.h"
 #include "services/library/sqlite_action_store.h"
 #include "services/library/sqlite_schema.h"
 
@@ -28,6 +29,7 @@ using Mode = SqliteActionStore::Mode;
 
 ActionRecord Named(const std::string& name) {
   return {0,
+          1,
           name,
           {{"X", "bolt"}, {"Y", "hole"}},
           {"person", "robot"},
@@ -147,6 +149,25 @@ TEST_P(Contract, ARunThatBeginsKeepsAllThatIsThere) {
   EXPECT_THAT(NamesIn(*store_), ElementsAre("Insert"));
 }
 
+TEST_P(Contract, ReplacesARecordByOneOfAHigherVersion) {
+  StoreOne(*store_, "Insert", kBeforeRun);
+  StoreOne(*store_, "Remove", kBeforeRun);
+  ActionRecord next = Named("Insert");
+  EXPECT_THROW(store_->Store({&next, 1}, 4), std::invalid_argument);
+  next.version = 2;
+  next.rules = "- other";
+  EXPECT_THAT(store_->Store({&next, 1}, 4), ElementsAre(3));
+  EXPECT_THAT(NamesIn(*store_), ElementsAre("Remove", "Insert"));
+  EXPECT_EQ(store_->Count(), 2);
+  EXPECT_EQ(store_->FindNamed("Insert")->rules, "- other");
+  store_->RollBackTo(4);
+  EXPECT_EQ(*store_->FindNamed("Insert"), *store_->Find(1));
+  store_->Store({&next, 1}, 5);
+  store_->BeginRun();
+  EXPECT_EQ(store_->Find(1), std::nullopt);
+  EXPECT_EQ(store_->FindNamed("Insert")->version, 2);
+}
+
 using SqliteFile = StoreFile;
 
 TEST_F(SqliteFile, IsReadAgainByTheNextProcessWithItsTicks) {
@@ -160,6 +181,25 @@ TEST_F(SqliteFile, IsReadAgainByTheNextProcessWithItsTicks) {
   store.RollBackTo(6);
   EXPECT_THAT(NamesIn(store), ElementsAre("Insert"));
   EXPECT_EQ(store.schema_version(), static_cast<int>(LibrarySchema().size()));
+}
+
+TEST_F(SqliteFile, OfTheFirstSchemaIsReadWithTheFirstVersion) {
+  ActionRecord record = Named("Insert");
+  record.id = 1;
+  std::string json = JsonOf(record);
+  const std::string of_record = "\"version\":1,";
+  json.erase(json.find(of_record), of_record.size());
+  {
+    SQLite::Database database(file_.string(),
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    Migrate(database, LibrarySchema().first(1));
+    SQLite::Statement insert(database,
+                             "INSERT INTO action VALUES (1, 'Insert', ?, -1)");
+    insert.bind(1, json);
+    insert.exec();
+  }
+  SqliteActionStore store(file_, Mode::kExisting);
+  EXPECT_EQ(store.FindNamed("Insert"), record);
 }
 
 TEST_F(SqliteFile, WritesAhead) {
@@ -237,7 +277,7 @@ TEST_F(SqliteFile, WithARecordThatCannotBeReadNamesIt) {
     store.All();
     FAIL() << "read it";
   } catch (const StoreError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("action 1.name: missing"));
+    EXPECT_THAT(e.what(), HasSubstr("action 1.version: missing"));
   }
 }
 

@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "common/parts/part_table.h"
 #include "common/relational/domain.h"
+#include "common/task/task.h"
 #include "services/planner/plan_search.h"
 
 namespace cell {
@@ -19,13 +20,10 @@ using namespace planner;
 /// The shipped task, and how a person changes its state.
 struct Cranfield {
   Cranfield() {
-    const std::string task = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
-    const Config config = Config::Load(task + "domain.yaml");
-    domain = std::make_unique<Domain>(Domain::FromConfig(
-        config, PartTable::FromConfig(Config::Load(task + "parts.yaml"))));
-    domain->PassOverGeometry();
-    domain->PassOverSec();
-    config.Finish();
+    const std::filesystem::path source = CELL_SOURCE_DIR;
+    domain = std::make_unique<Domain>(
+        LoadTask({source / "deploy/config", source / "deploy/tasks/cranfield"})
+            .domain);
     rules = RuleSet::FromDomain(*domain);
   }
 

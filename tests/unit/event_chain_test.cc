@@ -1,238 +1,175 @@
-#include "services/sec_builder/event_chain.h"
+#include "common/sec/event_chain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <random>
+#include <stdexcept>
+
+#include "common/sec/same_pair_similarity.h"
 
 namespace cell {
-
-using namespace sec_builder;
 namespace {
 
-using testing::IsEmpty;
-using testing::SizeIs;
+using testing::ElementsAre;
+using testing::HasSubstr;
 
-constexpr int64_t kFrame = 96'000;
+constexpr Relation kApart = Relation::kNotTouching;
+constexpr Relation kTouch = Relation::kTouching;
 
-// A scene of a, b, c (by name parts "a", "b"), a hand and the table.
-class EventChainTest : public testing::Test {
- protected:
-  static PartTable Parts() {
-    return PartTable::FromConfig(Config::Parse(R"(
-contacts: []
-parts:
-  a: &part
-    type: t
-    symmetry_order: 1
-    density: 1000
-    colour: [1, 1, 1]
-    pieces: [{kind: box, center: [0, 0, 0], size: [20, 20, 20]}]
-  b: *part
-)",
-                                               "parts.yaml"));
-  }
+TouchGraph Column(Relation hand_peg, Relation peg_table) {
+  return {{{"hand", "peg"}, hand_peg},
+          {{"hand", "table"}, kApart},
+          {{"peg", "table"}, peg_table}};
+}
 
-  explicit EventChainTest(const std::vector<std::string>& hands = {"hand"})
-      : cast_(Parts(), hands) {
-    for (const std::string& name : cast_.names()) {
-      if (name == Cast::kTable) continue;
-      tracks_.tracks.push_back(
-          {name, Track::State::kTracked, 1, Eigen::Isometry3d::Identity(), {}});
-    }
-  }
+// The hand comes, lifts the peg, puts it down, leaves.
+EventChain PickAndPlace() {
+  EventChain chain;
+  chain.Append(Column(kApart, kTouch));
+  chain.Append(Column(kTouch, kTouch));
+  chain.Append(Column(kTouch, kApart));
+  chain.Append(Column(kTouch, kTouch));
+  chain.Append(Column(kApart, kTouch));
+  return chain;
+}
 
-  Proximities Measured() const {
-    Proximities proximities;
-    const auto is_seen = [&](const std::string& name) {
-      const Track* track = tracks_.Find(name);
-      return name == Cast::kTable ||
-             (track && track->state == Track::State::kTracked);
+EventChain Random(std::mt19937_64& random, size_t num_columns) {
+  EventChain chain;
+  for (size_t i = 0; i < num_columns; ++i) {
+    const auto relation = [&] {
+      return random() % 2 == 0 ? kApart : kTouch;
     };
-    for (const std::string& a : cast_.names()) {
-      for (const std::string& b : cast_.names()) {
-        if (a >= b || !is_seen(a) || !is_seen(b)) continue;
-        const bool touch = touching_.contains({a, b});
-        proximities[{a, b}] = {touch ? 0 : 0.015};
+    chain.Append(Column(relation(), relation()));
+  }
+  return chain;
+}
+
+TEST(EventChain, HasARowForEachPairAndAColumnForEachKeyFrame) {
+  const EventChain chain = PickAndPlace();
+  EXPECT_EQ(chain.num_columns(), 5u);
+  EXPECT_THAT(chain.pairs(), ElementsAre(ObjectPair{"hand", "peg"},
+                                         ObjectPair{"hand", "table"},
+                                         ObjectPair{"peg", "table"}));
+  EXPECT_EQ(chain.FindRow({"peg", "table"}), 2u);
+  EXPECT_EQ(chain.FindRow({"peg", "tablet"}), std::nullopt);
+  EXPECT_THAT(chain.Row(2),
+              ElementsAre(kTouch, kTouch, kApart, kTouch, kTouch));
+  EXPECT_EQ(chain.At(0, 1), kTouch);
+  EXPECT_THROW(chain.At(3, 0), std::out_of_range);
+}
+
+TEST(EventChain, RefusesAColumnOfOtherPairs) {
+  EventChain chain = PickAndPlace();
+  try {
+    chain.Append({{{"hand", "peg"}, kTouch}});
+    FAIL() << "took it";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_THAT(e.what(), HasSubstr("1 pairs for a chain of other 3"));
+  }
+  EXPECT_EQ(chain, PickAndPlace());
+}
+
+TEST(EventChain, SlicesPutTogetherAreTheChain) {
+  const EventChain chain = PickAndPlace();
+  for (size_t cut = 0; cut <= chain.num_columns(); ++cut) {
+    const EventChain left = chain.Slice(0, cut);
+    const EventChain right = chain.Slice(cut, chain.num_columns());
+    EXPECT_EQ(left.num_columns() + right.num_columns(), chain.num_columns());
+    for (size_t row = 0; row < left.num_rows(); ++row) {
+      for (size_t i = 0; i < cut; ++i) {
+        EXPECT_EQ(left.At(row, i), chain.At(row, i));
       }
     }
-    return proximities;
-  }
-
-  std::vector<KeyFrame> Next() {
-    auto frames = chain_.Update(tracks_, Measured());
-    tracks_.utime += kFrame;
-    return frames;
-  }
-  std::vector<KeyFrame> Next(int count) {
-    std::vector<KeyFrame> all;
-    for (int i = 0; i < count; ++i) {
-      for (KeyFrame& frame : Next()) all.push_back(frame);
-    }
-    return all;
-  }
-  void SetState(const std::string& name, Track::State state) {
-    for (Track& track : tracks_.tracks) {
-      if (track.name == name) track.state = state;
+    for (size_t row = 0; row < right.num_rows(); ++row) {
+      EXPECT_EQ(right.At(row, 0), chain.At(row, cut));
     }
   }
-
-  const Cast cast_;
-  std::set<ObjectPair> touching_ = {{"a", "table"}, {"b", "table"}};
-  Tracks tracks_;
-  EventChain chain_{cast_, {}};
-};
-
-TEST_F(EventChainTest, KeyFrameZeroIsTheInitialTopology) {
-  EXPECT_THAT(Next(), IsEmpty());
-  const auto frames = Next();
-  ASSERT_THAT(frames, SizeIs(1));
-  EXPECT_EQ(frames[0].index, 0);
-  EXPECT_EQ(frames[0].utime, 0);
-  EXPECT_THAT(frames[0].relations, SizeIs(6));
-  EXPECT_TRUE(Touch(frames[0].relations, "a", "table"));
-  EXPECT_FALSE(Touch(frames[0].relations, "a", "hand"));
-  EXPECT_THAT(frames[0].poses, SizeIs(2));
-  EXPECT_THAT(Next(100), IsEmpty());
+  EXPECT_EQ(chain.Slice(2, 2), EventChain());
+  EXPECT_THROW(chain.Slice(3, 2), std::out_of_range);
+  EXPECT_THROW(chain.Slice(0, 6), std::out_of_range);
 }
 
-TEST_F(EventChainTest, AChangeIsAKeyFrameDatedBackWithThePosesOfItsEnd) {
-  Next(10);
-  touching_.insert({"a", "hand"});
-  EXPECT_THAT(Next(2), IsEmpty());
-  tracks_.tracks[0].X_WO.translation().x() = 0.5;
-  const auto frames = Next();
-  ASSERT_THAT(frames, SizeIs(1));
-  EXPECT_EQ(frames[0].index, 1);
-  EXPECT_EQ(frames[0].utime, 10 * kFrame);
-  EXPECT_TRUE(Touch(frames[0].relations, "hand", "a"));
-  EXPECT_EQ(frames[0].poses.at("a").translation().x(), 0.5);
+TEST(EventChain, KeepsTheRowsThatChange) {
+  const EventChain changing = PickAndPlace().ChangingRows();
+  EXPECT_THAT(changing.pairs(), ElementsAre(ObjectPair{"hand", "peg"},
+                                            ObjectPair{"peg", "table"}));
+  EXPECT_EQ(changing.num_columns(), 5u);
+  EXPECT_EQ(changing.ChangingRows(), changing);
+  EXPECT_EQ(PickAndPlace().Slice(0, 1).ChangingRows().num_rows(), 0u);
 }
 
-TEST_F(EventChainTest, ChangesThatBeginTogetherAreOneKeyFrame) {
-  Next(10);
-  touching_.insert({"a", "hand"});
-  Next();
-  touching_.insert({"a", "b"});  // 96 ms later
-  const auto frames = Next(10);
-  ASSERT_THAT(frames, SizeIs(1));
-  EXPECT_TRUE(Touch(frames[0].relations, "a", "hand"));
-  EXPECT_TRUE(Touch(frames[0].relations, "a", "b"));
+TEST(EventChain, KeepsTheRowsOfAnObject) {
+  EXPECT_THAT(
+      PickAndPlace().RowsOf("table").pairs(),
+      ElementsAre(ObjectPair{"hand", "table"}, ObjectPair{"peg", "table"}));
 }
 
-TEST_F(EventChainTest, ChangesThatBeginApartAreKeyFramesInTheirOrder) {
-  Next(10);
-  touching_.insert({"a", "hand"});
-  Next(2);
-  touching_.insert({"a", "b"});  // 192 ms later
-  const auto frames = Next(10);
-  ASSERT_THAT(frames, SizeIs(2));
-  EXPECT_FALSE(Touch(frames[0].relations, "a", "b"));
-  EXPECT_TRUE(Touch(frames[1].relations, "a", "b"));
-  EXPECT_EQ(frames[0].utime, 10 * kFrame);
-  EXPECT_EQ(frames[1].utime, 12 * kFrame);
-  EXPECT_EQ(frames[1].index, frames[0].index + 1);
+TEST(EventChain, KeepsTheColumnsThatDiffer) {
+  const EventChain of_table = PickAndPlace().RowsOf("table").DistinctColumns();
+  EXPECT_EQ(of_table.num_columns(), 3u);
+  EXPECT_THAT(of_table.Row(1), ElementsAre(kTouch, kApart, kTouch));
+  EXPECT_EQ(of_table.DistinctColumns(), of_table);
 }
 
-class ChainBesideAnArm : public EventChainTest {
- protected:
-  ChainBesideAnArm() : EventChainTest({"gripper", "hand"}) {}
-};
-
-TEST_F(ChainBesideAnArm, AHandThatPassesTheGripperIsNoEvent) {
-  Next(10);
-  touching_.insert({"gripper", "hand"});
-  EXPECT_THAT(Next(10), IsEmpty());
-  touching_.clear();
-  EXPECT_THAT(Next(10), SizeIs(1));  // a and b were lifted
+TEST(EventChain, IsEqualToOneWithTheSamePairsAndEntries) {
+  EXPECT_EQ(PickAndPlace(), PickAndPlace());
+  EventChain longer = PickAndPlace();
+  longer.Append(Column(kApart, kTouch));
+  EXPECT_NE(longer, PickAndPlace());
+  EXPECT_EQ(longer.DistinctColumns(), PickAndPlace());
 }
 
-TEST_F(ChainBesideAnArm, AHandThatPassesTheGripperDoesNotMoveAPlacement) {
-  touching_.insert({"a", "hand"});
-  Next(10);
-  touching_.insert({"gripper", "hand"});
-  Next();
-  touching_.erase({"a", "hand"});
-  const auto frames = Next(10);
-  ASSERT_THAT(frames, SizeIs(1));
-  EXPECT_EQ(frames[0].utime, 11 * kFrame);
-  EXPECT_FALSE(Touch(frames[0].relations, "a", "hand"));
-  EXPECT_TRUE(Touch(frames[0].relations, "gripper", "hand"));
+TEST(EventChain, IsShownAsItsTable) {
+  EXPECT_EQ(ToText(PickAndPlace().ChangingRows()),
+            "hand, peg   0 1 1 1 0\n"
+            "peg, table  1 1 0 1 1\n");
+  EXPECT_EQ(ToText(EventChain()), "");
 }
 
-TEST_F(EventChainTest, AShortTouchIsNoKeyFrame) {
-  Next(10);
-  touching_.insert({"a", "hand"});
-  Next();
-  touching_.erase({"a", "hand"});
-  EXPECT_THAT(Next(20), IsEmpty());
-}
-
-TEST_F(EventChainTest, ChangesThatCancelOutWithinOneKeyFrameAreNone) {
-  EventChain::Params params;
-  params.pair.confirm_frames = 1;
-  chain_ = EventChain(cast_, params);
-  Next(10);
-  touching_.insert({"a", "hand"});
-  Next();
-  touching_.erase({"a", "hand"});
-  EXPECT_THAT(Next(20), IsEmpty());
-}
-
-TEST_F(EventChainTest, WithoutATrackForASecondAnObjectIsAbsent) {
-  Next(10);
-  SetState("b", Track::State::kLost);
-  EXPECT_THAT(Next(10), IsEmpty());
-  const auto frames = Next(4);
-  ASSERT_THAT(frames, SizeIs(1));
-  for (const auto& [pair, relation] : frames[0].relations) {
-    const bool is_of_b = pair.first == "b" || pair.second == "b";
-    EXPECT_EQ(relation == Relation::kAbsent, is_of_b);
-  }
-  EXPECT_FALSE(frames[0].poses.contains("b"));
-  SetState("b", Track::State::kTracked);
-  const auto back = Next(5);
-  ASSERT_THAT(back, SizeIs(1));
-  EXPECT_TRUE(Touch(back[0].relations, "b", "table"));
-}
-
-TEST_F(EventChainTest, WhileFrozenTheLastRelationHolds) {
-  touching_.insert({"a", "b"});
-  Next(10);
-  SetState("b", Track::State::kFrozen);
-  touching_.erase({"a", "b"});
-  EXPECT_THAT(Next(100), IsEmpty());
-  SetState("b", Track::State::kTracked);
-  const auto frames = Next(5);
-  ASSERT_THAT(frames, SizeIs(1));
-  EXPECT_FALSE(Touch(frames[0].relations, "a", "b"));
-}
-
-// Property: only differences of stamps matter.
-TEST_F(EventChainTest, IsInvariantToATimeShift) {
-  std::vector<std::vector<KeyFrame>> runs;
-  for (const int64_t shift : {int64_t{0}, int64_t{1'700'000'000'000'000}}) {
-    chain_ = EventChain(cast_, {});
-    tracks_.utime = shift;
-    touching_ = {};
-    std::vector<KeyFrame>& run = runs.emplace_back();
-    for (int i = 0; i < 200; ++i) {
-      if (i % 7 == 3) touching_.insert({"a", "hand"});
-      if (i % 11 == 5) touching_.insert({"a", "b"});
-      if (i % 13 == 0) touching_.clear();
-      for (KeyFrame& frame : Next()) {
-        frame.utime -= shift;
-        run.push_back(frame);
-      }
+TEST(SamePairSimilarity, IsOneWithItselfAndTheSameBothWays) {
+  const SamePairSimilarity similarity;
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 50; ++i) {
+    const EventChain a = Random(random, 1 + random() % 6);
+    const EventChain b = Random(random, 1 + random() % 6);
+    EXPECT_EQ(similarity.Between(a, a), 1);
+    EXPECT_EQ(similarity.Between(a, b), similarity.Between(b, a));
+    EXPECT_GE(similarity.Between(a, b), 0);
+    EXPECT_LE(similarity.Between(a, b), 1);
+    if (a.num_columns() == b.num_columns() && a != b) {
+      EXPECT_LT(similarity.Between(a, b), 1);
     }
   }
-  EXPECT_GT(runs[0].size(), 20u);
-  ASSERT_EQ(runs[0].size(), runs[1].size());
-  for (size_t i = 0; i < runs[0].size(); ++i) {
-    EXPECT_EQ(runs[0][i].utime, runs[1][i].utime);
-    EXPECT_EQ(runs[0][i].relations, runs[1][i].relations);
-    EXPECT_EQ(runs[0][i].index, static_cast<int64_t>(i));
+}
+
+TEST(SamePairSimilarity, AlignsColumnsInTheirOrder) {
+  const SamePairSimilarity similarity;
+  const EventChain chain = PickAndPlace().ChangingRows();
+  // Without the first key frame four of five columns correspond.
+  EXPECT_DOUBLE_EQ(similarity.Between(chain, chain.Slice(1, 5)), 4.0 / 5);
+  EventChain flipped;
+  for (size_t column = 0; column < 5; ++column) {
+    flipped.Append(
+        {{{"hand", "peg"}, chain.At(0, column)}, {{"peg", "table"}, kTouch}});
   }
+  // One entry of ten differs.
+  EXPECT_DOUBLE_EQ(similarity.Between(chain, flipped), 9.0 / 10);
+}
+
+TEST(SamePairSimilarity, CountsRowsThatOnlyOneOfThemHas) {
+  const SamePairSimilarity similarity;
+  const EventChain chain = PickAndPlace();
+  EXPECT_DOUBLE_EQ(similarity.Between(chain, chain.ChangingRows()), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(similarity.Between(chain.RowsOf("hand").RowsOf("table"),
+                                      chain.RowsOf("peg").RowsOf("table")),
+                   0);
+}
+
+TEST(SamePairSimilarity, TakesEmptyChainsAsAlike) {
+  const SamePairSimilarity similarity;
+  EXPECT_EQ(similarity.Between({}, {}), 1);
+  EXPECT_EQ(similarity.Between({}, PickAndPlace()), 0);
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 #include "cell/action_record_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/library_request_t.hpp"
+#include "common/actions/record_messages.h"
 #include "common/bus/clock_host.h"
 #include "common/bus/roster.h"
 #include "services/library/library.h"
 #include "services/library/open_store.h"
-#include "services/library/record_messages.h"
 #include "services/recorder/recorder.h"
 
 /// A cell in which somebody learns fast: a clock, one who asks that actions be

@@ -10,6 +10,7 @@
 
 #include "cell/answer_t.hpp"
 #include "cell/stored_t.hpp"
+#include "common/actions/action_model_writer.h"
 #include "common/bus/manifest.h"
 #include "common/bus/replay.h"
 #include "common/bus/run_log.h"
@@ -17,7 +18,6 @@
 #include "common/bus/stepper.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
-#include "services/library/record_language.h"
 #include "tests/unit/keeping_cell.h"
 #include "tests/unit/stage_testing.h"
 
@@ -128,7 +128,7 @@ TEST(LibraryService, KnowsAfterADeathWhatItStoredBeforeAndNothingElse) {
   const auto names = NamesPublishedIn(said, 2 * keeping::kRequestPeriod + 1);
   std::vector<std::string> expected;
   for (const ActionRecord& record :
-       TaskActions(ShippedDeployment().OfTask("domain.yaml"))) {
+       WriteActionModels(ShippedTask().actions, ShippedTask().domain)) {
     expected.push_back(record.name);
   }
   for (const stored_t& answer : said.stored) {
@@ -162,7 +162,17 @@ class Life {
     Step({TickMessage(tick)});
   }
   std::vector<Message> Ask(const std::string& name) {
-    Bytes bytes = Bus::Encode(ToMessage(keeping::Good(name)));
+    return Store(keeping::Good(name));
+  }
+  std::vector<Message> Episode(int8_t phase) {
+    episode_t episode{};
+    episode.phase = phase;
+    Bytes bytes = Bus::Encode(episode);
+    WriteIdentity(tick_ - 1, 0, tick_ - 1, bytes);
+    return Step({*MessageFromWire("EPISODE", std::move(bytes))});
+  }
+  std::vector<Message> Store(const ActionRecord& record) {
+    Bytes bytes = Bus::Encode(ToMessage(record));
     WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
     return Step({*MessageFromWire("STORE_REQUEST", std::move(bytes))});
   }
@@ -226,6 +236,45 @@ TEST(LibraryService, PublishesTheOneThatIsAskedFor) {
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(DecodedAs<answer_t>(missing[0]).outcome, answer_t::REFUSED);
   EXPECT_EQ(life.Request(0).size(), 3u);
+}
+
+TEST(LibraryService, ReplacesAnActionByItsNextVersion) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  Life life(store, 0, -1);
+  life.Ask("One");
+  life.Ask("Two");
+  ActionRecord next = keeping::Good("One");
+  next.version = 2;
+  const auto said = life.Store(next);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(DecodedAs<stored_t>(said[0]).outcome, stored_t::STORED);
+  const auto record = DecodedAs<action_record_t>(said[1]);
+  EXPECT_EQ(record.version, 2);
+  EXPECT_EQ(record.id, 3);
+  EXPECT_EQ(life.Request(0).size(), 3u);  // and the answer
+}
+
+TEST(LibraryService, PublishesAllOnceToAnEpisodeThatItJoins) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  Life life(store, 30, 20);
+  life.Ask("One");
+  EXPECT_EQ(life.Episode(episode_t::RUNNING).size(), 1u);
+  EXPECT_EQ(life.Episode(episode_t::RUNNING).size(), 0u);
+  EXPECT_EQ(life.Episode(episode_t::START).size(), 1u);
+}
+
+TEST(LibraryService, RefusesAStoreOfAnotherTaskAndSaysWhatToDo) {
+  ActionRecord record = keeping::Good("OpenDoor");
+  record.arguments[0].type = "cabin_door";
+  const auto store =
+      std::make_shared<MemoryActionStore>(std::vector<ActionRecord>{record});
+  try {
+    Life life(store, 0, -1);
+    FAIL() << "took it";
+  } catch (const StoreError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("action 1: OpenDoor:arguments.X"));
+    EXPECT_THAT(e.what(), HasSubstr("name another --database"));
+  }
 }
 
 /// In a folder of its own.

@@ -43,7 +43,7 @@ class PredicateSensorTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  std::shared_ptr<const PredicateSensor> sensor_ = task_.Sensor();
+  std::shared_ptr<const PredicateSensor> sensor_ = task_.MakeSensor();
 };
 
 TEST_F(PredicateSensorTest, AtFirstAllPartsAreClearAndAllHolesFree) {
@@ -226,8 +226,7 @@ TEST_F(PredicateSensorTest, WithoutTracksEverythingIsUnknownThatAPartDecides) {
 }
 
 TEST(PredicateGeometry, ErrorsNameFileAndKey) {
-  const PartTable parts =
-      PartTable::FromConfig(ShippedDeployment().OfTask("parts.yaml"));
+  const PartTable parts = ShippedTask().parts;
   const auto load = [&](const std::string& predicates) {
     const Config config = Config::Parse(
         "types: {part: object, base_plate: part, round_peg: part, shaft: part,"
@@ -239,7 +238,7 @@ TEST(PredicateGeometry, ErrorsNameFileAndKey) {
             predicates,
         "d.yaml");
     const Vocabulary vocabulary = Vocabulary::FromConfig(config, parts);
-    PredicateSensor(vocabulary, parts, Eigen::AlignedBox3d(), config);
+    ReadGeometries(config, vocabulary, parts);
   };
   const auto error = [&](const std::string& predicates) -> std::string {
     try {

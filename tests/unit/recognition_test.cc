@@ -45,17 +45,14 @@ class RecognitionTest : public testing::Test {
   ShippedTask task_;
   Stage stage_{task_};
   Recognition recognition_{
-      task_.cast,
-      task_.parts,
-      std::make_shared<const Gallery>(task_.domain, task_.parts),
-      task_.Sensor(),
-      {}};
+      task_.cast, task_.parts, task_.MakeSecLibrary(), task_.MakeSensor(), {}};
 };
 
 std::string Shown(const RecognisedAction& action) {
-  std::string text = action.reading == Reading::kForward    ? "forward "
-                     : action.reading == Reading::kReversed ? "reversed "
-                                                            : "unknown";
+  std::string text = action.direction == ActionDirection::kForward ? "forward "
+                     : action.direction == ActionDirection::kReversed
+                         ? "reversed "
+                         : "unknown";
   text += action.name;
   for (const std::string& argument : action.arguments) text += " " + argument;
   return text;
@@ -293,13 +290,75 @@ TEST_F(RecognitionTest, HypothesesArePrunedAtThePickUp) {
   const Manipulation& held = recognition_.manipulations().at("round_peg_1");
   std::vector<std::string> alive;
   for (const auto& hypothesis : held.hypotheses()) {
-    const auto object = static_cast<size_t>(hypothesis.binding.back());
-    alive.push_back(
-        (hypothesis.reading == Reading::kForward ? "forward " : "reversed ") +
-        task_.domain.vocabulary().objects()[object].name);
+    alive.push_back((hypothesis.direction == ActionDirection::kForward
+                         ? "forward "
+                         : "reversed ") +
+                    hypothesis.roles.back());
   }
   EXPECT_THAT(alive,
               ElementsAre("reversed base.round_1", "forward base.round_2"));
+}
+
+// A model that knows nothing but the chain: how often a hand took the part.
+class TouchCount final : public SecModel {
+ public:
+  TouchCount(std::string action, size_t num_columns, double agreement)
+      : action_(std::move(action)),
+        num_columns_(num_columns),
+        agreement_(agreement) {}
+
+  const std::string& action() const override { return action_; }
+  std::vector<Roles> RolesAtPickUp(const std::string& part, const SensedFrame&,
+                                   ActionDirection direction) const override {
+    if (direction == ActionDirection::kReversed) return {};
+    return {{part}};
+  }
+  double Agreement(const ObservedManipulation& manipulation, const Roles& roles,
+                   ActionDirection) const override {
+    EXPECT_EQ(roles, Roles{manipulation.part});
+    EXPECT_EQ(
+        manipulation.chain.num_columns(),
+        manipulation.after.frame.index - manipulation.before.frame.index + 1);
+    const EventChain of_hand = manipulation.chain.RowsOf(kRight)
+                                   .RowsOf(manipulation.part)
+                                   .DistinctColumns();
+    return of_hand.num_columns() == num_columns_ ? agreement_ : 0;
+  }
+
+ private:
+  std::string action_;
+  size_t num_columns_;
+  double agreement_;
+};
+
+class CountingLibrary final : public SecLibrary {
+ public:
+  const Models& models() const override { return models_; }
+  double threshold() const override { return 0.5; }
+
+ private:
+  Models models_ = {std::make_shared<TouchCount>("Touched", 3, 0.6),
+                    std::make_shared<TouchCount>("Moved", 3, 0.8),
+                    std::make_shared<TouchCount>("Faint", 3, 0.4),
+                    std::make_shared<TouchCount>("Never", 7, 1.0)};
+};
+
+TEST_F(RecognitionTest, TakesTheBestOfAnyLibraryAboveItsThreshold) {
+  recognition_.Use(std::make_shared<const CountingLibrary>());
+  EXPECT_THAT(
+      Shown(Manipulate("head", [this] { stage_.StandAt("head", 0.3, -0.2); })),
+      ElementsAre("forward Moved head"));
+}
+
+TEST_F(RecognitionTest, WhatIsInAHandKeepsTheModelsOfItsPickUp) {
+  See();
+  stage_.Hold(kRight, "round_peg_1");
+  See();
+  recognition_.Use(std::make_shared<const CountingLibrary>());
+  stage_.Seat("round_peg_1", "base.round_1");
+  stage_.LetGo(kRight, "round_peg_1");
+  EXPECT_THAT(Shown(See()),
+              ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
 }
 
 TEST_F(RecognitionTest, APartThatIsGoneWhenItIsLetGoIsNotInvented) {

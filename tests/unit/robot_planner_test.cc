@@ -229,7 +229,7 @@ TEST_F(RobotPlanner, ANewLifeGoesOnWithoutDoingAnythingTwice) {
   Succeed("right");
   Run(200);
   ASSERT_THAT(requests_, SizeIs(2));
-  EXPECT_EQ(requests_[1].part, "round_peg_2");
+  EXPECT_EQ(ArgumentOf(requests_[1], "part"), "round_peg_2");
   EXPECT_NE(requests_[0].id, requests_[1].id);
 }
 

@@ -7,6 +7,7 @@
 #include "common/layout/cell_layout.h"
 #include "common/sec/predicate_sensor.h"
 #include "tests/unit/cranfield_domain.h"
+#include "tests/unit/stage_testing.h"
 
 namespace cell {
 namespace {
@@ -20,18 +21,17 @@ constexpr double kTouching = 2e-3;  // [m]
 /// The parts where they are after some actions, and what is sensed of them.
 class Tabletop {
  public:
-  explicit Tabletop(const Cranfield& cranfield)
-      : cranfield_(cranfield), shapes_(ShapesOf(parts_)) {
+  Tabletop() : shapes_(ShapesOf(task_.parts)) {
     const std::map<std::string, Vector2d> places = {
         {"face_plate", {-0.20, -0.50}},  {"separator", {0.12, -0.28}},
         {"pendulum", {0.45, -0.45}},     {"head", {0.10, -0.45}},
         {"round_peg_1", {0.00, -0.60}},  {"round_peg_2", {0.10, -0.60}},
         {"square_peg_1", {0.20, -0.60}}, {"square_peg_2", {0.30, -0.60}},
         {"shaft", {0.20, -0.45}}};
-    for (size_t i = 0; i < parts_.parts().size(); ++i) {
-      const auto place = places.find(parts_.parts()[i].name);
+    for (size_t i = 0; i < task_.parts.parts().size(); ++i) {
+      const auto place = places.find(task_.parts.parts()[i].name);
       if (place == places.end()) {
-        X_WO_.push_back(layout_.pedestal.X_WP);
+        X_WO_.push_back(task_.layout.pedestal.X_WP);
         continue;
       }
       const double z = -shapes_[i].LowestZ(Isometry3d::Identity());
@@ -41,7 +41,7 @@ class Tabletop {
   }
 
   void Seat(const std::string& part, const std::string& site_name) {
-    const Site& site = *parts_.FindSite(site_name);
+    const Site& site = *task_.parts.FindSite(site_name);
     X_WO_[Index(part)] = X_WO_[Index(site.host)] * site.X_HS;
   }
 
@@ -58,23 +58,18 @@ class Tabletop {
       }
       scene.items.push_back(std::move(item));
     }
-    return sensor_.Sense(scene);
+    return sensor_->Sense(scene);
   }
 
  private:
-  static Config LoadTask(const std::string& file) {
-    return Config::Load(CELL_SOURCE_DIR "/deploy/tasks/cranfield/" + file);
-  }
   size_t Index(const std::string& name) const {
-    return static_cast<size_t>(parts_.Find(name) - parts_.parts().data());
+    return static_cast<size_t>(task_.parts.Find(name) -
+                               task_.parts.parts().data());
   }
 
-  const Cranfield& cranfield_;
-  PartTable parts_ = PartTable::FromConfig(LoadTask("parts.yaml"));
-  CellLayout layout_ = CellLayout::FromConfig(LoadTask("cell.yaml"));
+  ShippedTask task_;
   std::vector<PartShape> shapes_;
-  PredicateSensor sensor_{cranfield_.domain->vocabulary(), parts_,
-                          layout_.workspace, LoadTask("domain.yaml")};
+  std::shared_ptr<const PredicateSensor> sensor_ = task_.MakeSensor();
   std::vector<Isometry3d> X_WO_;
 };
 
@@ -111,7 +106,7 @@ class RulesAndSensing : public testing::Test {
 TEST_F(RulesAndSensing, AgreeOnEveryStateOfEveryOrder) {
   std::mt19937_64 random(7);
   for (int run = 0; run < 10; ++run) {
-    Tabletop tabletop(cranfield_);
+    Tabletop tabletop;
     State state = cranfield_.Start();
     EXPECT_EQ(Difference(tabletop.Sense(), state), "");
     for (const GroundAction& action : cranfield_.RandomOrder(random)) {
@@ -129,7 +124,7 @@ TEST_F(RulesAndSensing, AgreeThatAMistakeCanBeUndone) {
       {"separator", "RemoveSeparator"}, {"pendulum", "RemovePendulum"}};
   PlanSearch search = cranfield_.Search();
   for (const auto& [part, remove] : mistakes) {
-    Tabletop tabletop(cranfield_);
+    Tabletop tabletop;
     tabletop.Seat(part, "base." + part);
     const State sensed = tabletop.Sense();
     const State after = cranfield_.Do(sensed, remove, {part});
@@ -145,7 +140,7 @@ TEST_F(RulesAndSensing, AgreeThatACoverPlacedTooEarlyComesOff) {
   std::mt19937_64 random(8);
   PlanSearch search = cranfield_.Search();
   for (int run = 0; run < 10; ++run) {
-    Tabletop tabletop(cranfield_);
+    Tabletop tabletop;
     State state = cranfield_.Start();
     const auto order = cranfield_.RandomOrder(random);
     for (size_t i = 0; i + 2 < order.size(); ++i) {

@@ -13,9 +13,11 @@
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
 #include "common/sec/cast.h"
+#include "common/sec/condition_library.h"
 #include "common/sec/key_frame.h"
 #include "common/sec/predicate_sensor.h"
 #include "common/sec/track.h"
+#include "common/task/task.h"
 #include "services/tracker/ideal_tracker.h"
 
 namespace cell {
@@ -28,18 +30,19 @@ inline Deployment ShippedDeployment() {
   return {source / "deploy/config", source / "deploy/tasks/cranfield"};
 }
 
-struct ShippedTask {
-  PartTable parts =
-      PartTable::FromConfig(ShippedDeployment().OfTask("parts.yaml"));
-  CellLayout layout =
-      CellLayout::FromConfig(ShippedDeployment().OfTask("cell.yaml"));
-  Config domain_config = ShippedDeployment().OfTask("domain.yaml");
-  Domain domain = Domain::FromConfig(domain_config, parts);
-  Cast cast{parts, layout};
+struct ShippedTask : Task {
+  ShippedTask() : Task(LoadTask(ShippedDeployment())) {}
 
-  std::shared_ptr<const PredicateSensor> Sensor() const {
-    return std::make_shared<const PredicateSensor>(
-        domain.vocabulary(), parts, layout.workspace, domain_config);
+  /// Of the conditions that were written by hand.
+  std::shared_ptr<const SecLibrary> MakeSecLibrary() const {
+    std::vector<ConditionLibrary::Entry> entries;
+    for (const ActionModel& model : actions) {
+      if (!model.sec) continue;
+      entries.push_back(
+          {model.action.name, model.action.arguments, *model.sec});
+    }
+    return std::make_shared<const ConditionLibrary>(std::move(entries),
+                                                    domain.vocabulary(), parts);
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/run_log.h"
+#include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/motion/motion_check.h"
@@ -19,8 +20,8 @@ namespace {
 
 int RunCheck(const std::string& path) {
   const RunFolder run = RunFolder::Open(path);
-  MotionCheck check(CellLayout::FromConfig(run.deployment.OfTask("cell.yaml")),
-                    PartTable::FromConfig(run.deployment.OfTask("parts.yaml")));
+  const Task task = LoadTask(run.deployment);
+  MotionCheck check(task.layout, task.parts);
   const RunLog log = RunLog::Load(run.path);
   for (const std::string& problem : log.problems()) {
     std::cerr << Printable(problem) << "\n";

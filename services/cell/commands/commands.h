@@ -24,6 +24,7 @@ void AddDiff(CLI::App& app, Action* action);
 void AddEval(CLI::App& app, Action* action);
 void AddView(CLI::App& app, Action* action);
 void AddCheck(CLI::App& app, Action* action);
+void AddChain(CLI::App& app, Action* action);
 void AddEpisode(CLI::App& app, Action* action);
 void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -67,6 +68,7 @@ int Show(const LibraryOptions& options) {
   }
   std::cout << Signature(*record) << "\n";
   const std::pair<const char*, std::string> entries[] = {
+      {"version", std::to_string(record->version)},
       {"agents", fmt::format("{}", fmt::join(record->agents, ", "))},
       {"undoes", record->undoes},
       {"sec", record->sec},
@@ -93,6 +95,25 @@ int Export(const LibraryOptions& options) {
   return 0;
 }
 
+/// The record as it would follow `known` in its library: with the next version
+/// if its own is a later one.
+ActionRecord Following(ActionRecord record,
+                       const std::optional<ActionRecord>& known) {
+  record.id = 0;
+  if (!known) {
+    record.version = 1;
+  } else if (record.version > known->version) {
+    record.version = known->version + 1;
+  }
+  return record;
+}
+
+bool IsTheSame(ActionRecord record, const ActionRecord& known) {
+  record.id = known.id;
+  record.version = known.version;
+  return record == known;
+}
+
 // Those that are there already, as they are, are passed over.
 std::vector<ActionRecord> NewOnes(const std::vector<ActionRecord>& records,
                                   const RecordCheck& check,
@@ -100,11 +121,9 @@ std::vector<ActionRecord> NewOnes(const std::vector<ActionRecord>& records,
                                   const std::string& file) {
   std::vector<ActionRecord> fresh;
   for (size_t i = 0; i < records.size(); ++i) {
-    ActionRecord record = records[i];
-    const auto namesake = known.FindNamed(record.name);
-    record.id = namesake ? namesake->id : 0;
-    if (namesake == record) continue;
-    record.id = 0;
+    const auto namesake = known.FindNamed(records[i].name);
+    if (namesake && IsTheSame(records[i], *namesake)) continue;
+    ActionRecord record = Following(records[i], namesake);
     if (const auto refusal = check.WhyNot(record, known)) {
       throw std::runtime_error(
           fmt::format("{}:actions[{}]: {}; nothing was imported", file, i,

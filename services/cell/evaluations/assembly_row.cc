@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "common/task/task.h"
 #include "services/cell/evaluations/assembly_observer.h"
 #include "services/cell/motion/motion_check.h"
 #include "services/cell/running/service_registry.h"
@@ -95,11 +96,11 @@ void AddViolations(const MotionCheck& check, json* row) {
 json RunAssembly(const std::string& script, uint64_t seed,
                  const Deployment& deployment, const Roster& roster,
                  const Intervention& intervene) {
-  const auto success = SuccessCriterion::Load(deployment);
-  const PartTable& parts = success.parts;
+  const Task task = LoadTask(deployment);
+  const auto success = SuccessCriterion::FromConfig(
+      deployment.OfTask("success.yaml"), task.domain, task.parts);
   AssemblyObserver observer(success);
-  MotionCheck check(CellLayout::FromConfig(deployment.OfTask("cell.yaml")),
-                    parts);
+  MotionCheck check(task.layout, task.parts);
   SimBus bus(roster, AllServices(deployment, script, seed));
   const auto also = intervene ? intervene(bus) : nullptr;
   RunToEnd(bus, [&](const Message& message) {
@@ -108,9 +109,9 @@ json RunAssembly(const std::string& script, uint64_t seed,
     if (also) also(message);
   });
   json row;
-  AddScore(observer.Score().value(), parts, &row);
+  AddScore(observer.Score().value(), task.parts, &row);
   AddRecord(observer.record(), &row);
-  AddParts(observer.record(), parts, &row);
+  AddParts(observer.record(), task.parts, &row);
   AddViolations(check, &row);
   return row;
 }

@@ -8,6 +8,7 @@
 
 #include "cell/skill_request_t.hpp"
 #include "common/bus/decode.h"
+#include "common/task/task.h"
 #include "services/cell/evaluations/assembly_observer.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/skill_driver.h"
@@ -30,26 +31,24 @@ constexpr char kSearch[] = "search", kNoSearch[] = "no_search";
 constexpr double kAimOffset = 0.002;                  // [m]
 constexpr double kAimAngle = std::numbers::pi / 180;  // [rad]
 
-struct Task {
-  explicit Task(const Deployment& deployment)
-      : parts(PartTable::FromConfig(deployment.OfTask("parts.yaml"))),
-        layout(CellLayout::FromConfig(deployment.OfTask("cell.yaml"))),
+struct Bench {
+  explicit Bench(const Deployment& deployment)
+      : task(LoadTask(deployment)),
         book(DemonstratorBook::FromConfig(
-            deployment.OfTask("demonstrators.yaml"), parts)) {}
-  PartTable parts;
-  CellLayout layout;
+            deployment.OfTask("demonstrators.yaml"), task.parts)) {}
+  Task task;
   DemonstratorBook book;
 };
 
 /// Those that can be tried alone: nothing must be in place before. Each with
 /// the part that goes there.
-std::vector<SkillDriver::Wish> Insertions(const Task& task) {
+std::vector<SkillDriver::Wish> Insertions(const Bench& bench) {
   std::vector<SkillDriver::Wish> wishes;
-  for (const auto& [name, rule] : task.book.rules) {
+  for (const auto& [name, rule] : bench.book.rules) {
     if (!rule.after.empty()) continue;
-    const auto part =
-        std::ranges::find(task.parts.parts(), rule.part_type, &Part::type);
-    for (const Part& host : task.parts.parts()) {
+    const auto part = std::ranges::find(bench.task.parts.parts(),
+                                        rule.part_type, &Part::type);
+    for (const Part& host : bench.task.parts.parts()) {
       for (const Site& site : host.sites) {
         if (site.type != rule.site_type) continue;
         wishes.push_back(
@@ -61,11 +60,11 @@ std::vector<SkillDriver::Wish> Insertions(const Task& task) {
   return wishes;
 }
 
-SkillDriver::Params DriverFor(const Task& task, uint64_t seed) {
-  const auto insertions = Insertions(task);
+SkillDriver::Params DriverFor(const Bench& bench, uint64_t seed) {
+  const auto insertions = Insertions(bench);
   SkillDriver::Params params;
   params.wishes = {insertions[seed % insertions.size()]};
-  for (const ArmLayout& arm : task.layout.arms) {
+  for (const ArmLayout& arm : bench.task.layout.arms) {
     (arm.X_FS ? params.wishes.front().arm : params.helper) = arm.name;
   }
   return params;
@@ -87,23 +86,24 @@ Roster RosterOf(const Roster& whole) {
 }
 
 std::map<std::string, ServiceFactory> Services(
-    const Deployment& deployment, const Task& task, const Trial& trial,
+    const Deployment& deployment, const Bench& bench, const Trial& trial,
     const SkillDriver::Params& driver) {
   auto services = AllServices(deployment, kScript, trial.seed);
   services["driver"] = [driver](Bus& bus) {
     return std::make_unique<SkillDriver>(bus, driver);
   };
-  SkillSettings settings =
-      SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
+  SkillSettings settings = SkillSettings::FromConfig(
+      deployment.OfTask("skills.yaml"), bench.task.parts);
   settings.aim_error = {kAimOffset, kAimAngle, trial.seed};
   if (trial.group == kNoSearch) {
     for (auto& [type, insertion] : settings.insertions) {
       insertion.contact.search.max_spirals = 0;
     }
   }
-  for (const ArmLayout& arm : task.layout.arms) {
-    const RobotArm::Params params{{arm.name, task.layout, task.parts, settings},
-                                  Cast(task.parts, task.layout)};
+  for (const ArmLayout& arm : bench.task.layout.arms) {
+    const RobotArm::Params params{
+        {arm.name, bench.task.layout, bench.task.parts, settings},
+        bench.task.cast};
     services["robot_arm@" + arm.name] = [params](Bus& bus) {
       return std::make_unique<RobotArm>(bus, params);
     };
@@ -137,12 +137,12 @@ class InsertionEvaluation final : public Evaluation {
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
-    const Task task(deployment);
-    const SkillDriver::Params driver = DriverFor(task, trial.seed);
+    const Bench bench(deployment);
+    const SkillDriver::Params driver = DriverFor(bench, trial.seed);
     const auto success = SuccessCriterion::Load(deployment);
     AssemblyObserver observer(success);
     std::optional<skill_result_t> result;
-    SimBus bus(RosterOf(roster), Services(deployment, task, trial, driver));
+    SimBus bus(RosterOf(roster), Services(deployment, bench, trial, driver));
     RunToEnd(bus, [&](const Message& message) {
       observer.Put(message);
       if (message.channel == "SKILL_RESULT") {

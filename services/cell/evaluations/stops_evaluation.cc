@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/task/task.h"
 #include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/stop_injector.h"

@@ -10,6 +10,7 @@
 #include "common/parts/part_table.h"
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
+#include "common/task/task.h"
 
 namespace cell::cli {
 namespace {
@@ -32,11 +33,8 @@ std::map<std::string, int> DrawScene(const Deployment& deployment,
                                      const truth_poses_t& poses,
                                      const Viewpoint& viewpoint,
                                      const std::filesystem::path& path) {
-  const PartTable table =
-      PartTable::FromConfig(deployment.OfTask("parts.yaml"));
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  const RenderScene scene(BodiesOf(table, layout));
+  const Task task = LoadTask(deployment);
+  const RenderScene scene(BodiesOf(task.parts, task.layout));
   std::map<std::string, Eigen::Isometry3d> X_WO;
   for (const body_pose_t& body : poses.bodies) {
     if (const auto X_WB = PoseFromMessage(body.pose_world_body)) {

@@ -9,6 +9,7 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
+#include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/episode_score.h"

@@ -4,6 +4,7 @@
 
 #include "common/layout/cell_layout.h"
 #include "common/node/run_service.h"
+#include "common/task/task.h"
 #include "services/camera_set/camera_set.h"
 #include "services/library/library.h"
 #include "services/library/open_store.h"
@@ -61,8 +62,7 @@ std::map<std::string, ServiceFactory> AllServices(
         if (!store) store = OpenStore(deployment, {});
         return MakeLibrary(bus, deployment, store);
       };
-  const CellLayout layout =
-      CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
+  const CellLayout layout = LoadTask(deployment).layout;
   for (const ArmLayout& arm : layout.arms) {
     factories["robot_arm@" + arm.name] = [deployment,
                                           name = arm.name](Bus& bus) {

@@ -1,22 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace cell::library {
+namespace cell {
 
-/// An action of the library: what ties the paper's three levels together. The
-/// texts are blocks of an action in a task's domain.yaml, so that one reader
-/// serves both (ConfigOf()).
+/// An action model as it is stored and sent. The texts are blocks of an action
+/// in a task's domain.yaml: ReadActionModel(), WriteActionModel().
 struct ActionRecord {
   struct Argument {
     std::string name;
     std::string type;
     bool operator==(const Argument&) const = default;
   };
-  int64_t id = 0;    ///< from 1 in the order of storing; 0: not stored
-  std::string name;  ///< its symbol
+  static constexpr size_t kMaxBytes = 65'536;  ///< of all of it, as JSON
+
+  int64_t id = 0;       ///< from 1 in the order of storing; 0: not stored
+  int64_t version = 1;  ///< counts the records of this name
+  std::string name;     ///< its symbol
   std::vector<Argument> arguments;
   std::vector<std::string> agents;  ///< person, robot
   std::string undoes;  ///< name of the action that it takes back; empty: none
@@ -28,4 +31,4 @@ struct ActionRecord {
   bool operator==(const ActionRecord&) const = default;
 };
 
-}  // namespace cell::library
+}  // namespace cell

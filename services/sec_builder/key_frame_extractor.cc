@@ -1,11 +1,11 @@
-#include "services/sec_builder/event_chain.h"
+#include "services/sec_builder/key_frame_extractor.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace cell::sec_builder {
 
-EventChain::EventChain(const Cast& cast, const Params& params)
+KeyFrameExtractor::KeyFrameExtractor(const Cast& cast, const Params& params)
     : cast_(cast), params_(params) {
   const auto& names = cast_.names();
   for (size_t i = 0; i < names.size(); ++i) {
@@ -15,8 +15,8 @@ EventChain::EventChain(const Cast& cast, const Params& params)
   }
 }
 
-std::vector<KeyFrame> EventChain::Update(const Tracks& tracks,
-                                         const Proximities& proximities) {
+std::vector<KeyFrame> KeyFrameExtractor::Update(
+    const Tracks& tracks, const Proximities& proximities) {
   NoteWhoIsThere(tracks);
   if (!first_utime_) {
     first_utime_ = tracks.utime;
@@ -42,11 +42,11 @@ std::vector<KeyFrame> EventChain::Update(const Tracks& tracks,
   return frames;
 }
 
-bool EventChain::IsOfHandsAlone(const ObjectPair& pair) const {
+bool KeyFrameExtractor::IsOfHandsAlone(const ObjectPair& pair) const {
   return cast_.IsHand(pair.first) && cast_.IsHand(pair.second);
 }
 
-void EventChain::NoteWhoIsThere(const Tracks& tracks) {
+void KeyFrameExtractor::NoteWhoIsThere(const Tracks& tracks) {
   for (const Track& track : tracks.tracks) {
     if (track.state != Track::State::kLost) {
       last_seen_[track.name] = tracks.utime;
@@ -55,12 +55,13 @@ void EventChain::NoteWhoIsThere(const Tracks& tracks) {
   last_seen_[Cast::kTable] = tracks.utime;
 }
 
-bool EventChain::IsGone(const std::string& name, int64_t utime) const {
+bool KeyFrameExtractor::IsGone(const std::string& name, int64_t utime) const {
   const auto it = last_seen_.find(name);
   return it == last_seen_.end() || utime - it->second >= params_.absent_us;
 }
 
-void EventChain::UpdatePairs(int64_t utime, const Proximities& proximities) {
+void KeyFrameExtractor::UpdatePairs(int64_t utime,
+                                    const Proximities& proximities) {
   for (auto& [pair, filter] : pairs_) {
     std::optional<PairFilter::Change> change;
     const auto proximity = proximities.find(pair);
@@ -81,7 +82,7 @@ void EventChain::UpdatePairs(int64_t utime, const Proximities& proximities) {
 }
 
 // True while a change that began by `window_end` may still come to be known.
-bool EventChain::IsOpen(int64_t utime, int64_t window_end) const {
+bool KeyFrameExtractor::IsOpen(int64_t utime, int64_t window_end) const {
   return utime < window_end ||
          std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
            const auto since = entry.second.pending_since();
@@ -90,7 +91,7 @@ bool EventChain::IsOpen(int64_t utime, int64_t window_end) const {
 }
 
 // Nothing if the changes cancel out.
-std::optional<KeyFrame> EventChain::NextKeyFrame(const Tracks& tracks) {
+std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
   const int64_t onset = changes_.front().onset;
   const auto end =
       std::find_if(changes_.begin(), changes_.end(), [&](const Change& change) {
@@ -109,7 +110,7 @@ std::optional<KeyFrame> EventChain::NextKeyFrame(const Tracks& tracks) {
   return MakeKeyFrame(onset, tracks);
 }
 
-KeyFrame EventChain::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
+KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
   KeyFrame frame{utime, next_index_++, graph_, {}};
   for (const Track& track : tracks.tracks) {
     if (cast_.IsPart(track.name) && track.state != Track::State::kLost) {

@@ -1,10 +1,11 @@
-#include "services/library/record_messages.h"
+#include "common/actions/record_messages.h"
 
-namespace cell::library {
+namespace cell {
 
 action_record_t ToMessage(const ActionRecord& record) {
   action_record_t message{};
   message.id = record.id;
+  message.version = record.version;
   message.name = record.name;
   for (const auto& [name, type] : record.arguments) {
     variable_t& argument = message.arguments.emplace_back();
@@ -26,6 +27,7 @@ action_record_t ToMessage(const ActionRecord& record) {
 ActionRecord FromMessage(const action_record_t& message) {
   ActionRecord record;
   record.id = message.id;
+  record.version = message.version;
   record.name = message.name;
   for (const variable_t& argument : message.arguments) {
     record.arguments.push_back({argument.name, argument.type});
@@ -40,4 +42,4 @@ ActionRecord FromMessage(const action_record_t& message) {
   return record;
 }
 
-}  // namespace cell::library
+}  // namespace cell

@@ -21,7 +21,7 @@ namespace cell::sec_builder {
 ///
 /// The chain is that of the parts: hands that touch each other, a person's an
 /// arm's gripper, are no event. Key frames say so of them all the same.
-class EventChain {
+class KeyFrameExtractor {
  public:
   struct Params {
     PairFilter::Params pair;
@@ -29,7 +29,7 @@ class EventChain {
     int64_t absent_us = 1'000'000;  ///< without a track for so long: gone
   };
 
-  EventChain(const Cast& cast, const Params& params);
+  KeyFrameExtractor(const Cast& cast, const Params& params);
 
   /// Takes the tracks and what was measured of them. Key frame 0 is the
   /// topology of the first scene, in frame `confirm_frames`.

@@ -1,0 +1,33 @@
+#include "common/actions/action_models.h"
+
+#include <utility>
+
+#include "common/actions/action_model_reader.h"
+
+namespace cell {
+
+ActionModels::ActionModels(Domain domain, PartTable parts,
+                           std::vector<ActionModel> models)
+    : domain_(std::move(domain)),
+      parts_(std::move(parts)),
+      models_(std::move(models)) {}
+
+ActionModels::Update ActionModels::Take(const ActionRecord& record) {
+  ActionModel model;
+  try {
+    model = ReadActionModel(record, domain_, parts_);
+  } catch (const ConfigError& e) {
+    return {false, e.what()};
+  }
+  domain_.Put(model.action);
+  const auto place = static_cast<size_t>(*domain_.FindAction(record.name));
+  if (place == models_.size()) {
+    models_.push_back(std::move(model));
+    return {true, ""};
+  }
+  if (models_[place] == model) return {};
+  models_[place] = std::move(model);
+  return {true, ""};
+}
+
+}  // namespace cell

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/actions/action_model.h"
+#include "common/config/deployment.h"
+#include "common/layout/cell_layout.h"
+#include "common/parts/part_table.h"
+#include "common/relational/domain.h"
+#include "common/sec/cast.h"
+#include "common/sec/predicate_sensor.h"
+
+namespace cell {
+
+/// The task that a cell works on: its parts.yaml, cell.yaml and domain.yaml,
+/// each read once, strictly, and held against the others. What only one
+/// service reads (skills.yaml, demonstrators.yaml) it reads itself.
+struct Task {
+  PartTable parts;
+  CellLayout layout;
+  Cast cast;
+  Domain domain;                              ///< with the actions of `actions`
+  std::vector<PredicateGeometry> geometries;  ///< of the domain's predicates
+  std::vector<ActionModel> actions;           ///< in the domain's order
+
+  /// What senses the domain's predicates.
+  std::shared_ptr<const PredicateSensor> MakeSensor() const;
+};
+
+/// @throws ConfigError naming file:key.
+Task LoadTask(const Deployment& deployment);
+
+}  // namespace cell

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "cell/episode_t.hpp"
+#include "common/bus/decode.h"
+#include "common/bus/run_log.h"
+#include "common/sec/event_chain.h"
+#include "common/sec/key_frame.h"
+#include "common/sec/same_pair_similarity.h"
+#include "common/task/task.h"
+#include "common/text/printable.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/running/run_folder.h"
+
+namespace cell::cli {
+namespace {
+
+struct ChainOptions {
+  std::string run;
+  std::string object;
+  std::string other;
+};
+
+bool IsStart(const Message& message) {
+  if (message.channel != "EPISODE") return false;
+  const auto episode = Decode<episode_t>(message);
+  return episode && episode->phase == episode_t::START;
+}
+
+/// The event chain of each episode of a run. @throws std::runtime_error if it
+/// has no key frames.
+std::vector<EventChain> ChainsOf(const RunFolder& run) {
+  const Cast cast = LoadTask(run.deployment).cast;
+  std::vector<EventChain> chains;
+  const RunLog log = RunLog::Load(run.path);
+  for (const auto& [tick, entry] : log.ticks()) {
+    if (std::ranges::any_of(entry.messages, IsStart)) chains.emplace_back();
+    for (const Message& message : entry.messages) {
+      if (message.channel != "KEY_FRAME" || chains.empty()) continue;
+      const auto decoded = Decode<key_frame_t>(message);
+      const auto frame =
+          decoded ? KeyFrameFromMessage(*decoded, cast) : std::nullopt;
+      if (frame) chains.back().Append(frame->relations);
+    }
+  }
+  std::erase_if(chains, [](const auto& c) { return c.num_columns() == 0; });
+  if (chains.empty()) {
+    throw std::runtime_error(run.path.string() +
+                             ": the log holds no key frame of an episode");
+  }
+  return chains;
+}
+
+/// What `options` want of a chain, without what does not change.
+EventChain Chosen(const EventChain& chain, const ChainOptions& options) {
+  const EventChain rows =
+      options.object.empty() ? chain : chain.RowsOf(options.object);
+  if (rows.num_rows() == 0) {
+    throw std::invalid_argument("--object " + options.object +
+                                ": no part, hand or table has this name");
+  }
+  return rows.ChangingRows().DistinctColumns();
+}
+
+int ShowChains(const ChainOptions& options) {
+  int number = 0;
+  for (const EventChain& chain : ChainsOf(RunFolder::Open(options.run))) {
+    const EventChain chosen = Chosen(chain, options);
+    std::cout << fmt::format("episode {}: {} of {} key frames\n", ++number,
+                             chosen.num_columns(), chain.num_columns())
+              << ToText(chosen);
+  }
+  return 0;
+}
+
+int CompareChains(const ChainOptions& options) {
+  const auto ours = ChainsOf(RunFolder::Open(options.run));
+  const auto others = ChainsOf(RunFolder::Open(options.other));
+  const SamePairSimilarity similarity;
+  for (size_t i = 0; i < std::min(ours.size(), others.size()); ++i) {
+    std::cout << fmt::format("episode {}: similarity {:.3f}\n", i + 1,
+                             similarity.Between(Chosen(ours[i], options),
+                                                Chosen(others[i], options)));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void AddChain(CLI::App& app, Action* action) {
+  auto options = std::make_shared<ChainOptions>();
+  CLI::App* command = app.add_subcommand(
+      "chain",
+      "Show the semantic event chain of each episode of a recorded run: rows "
+      "are object pairs whose relation changes, columns are key frames; 0 not "
+      "touching, 1 touching, 2 overlapping, 9 absent. Or compare two runs.\n"
+      "Example: cell chain runs/sim-0001 --object bolt_1");
+  command->add_option("run", options->run, "run folder")->required();
+  command->add_option("--object", options->object,
+                      "only rows of this part or hand");
+  command->add_option("--with", options->other,
+                      "another run folder: how similar are their chains?");
+  command->callback([=] {
+    *action = [=] {
+      return options->other.empty() ? ShowChains(*options)
+                                    : CompareChains(*options);
+    };
+  });
+}
+
+}  // namespace cell::cli
