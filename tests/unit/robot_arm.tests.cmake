@@ -4,6 +4,7 @@ cell_add_test(unit/robot_arm_start_test.cc
   LINK cell_robot_arm cell_bus cell_tracker)
 cell_add_test(unit/aim_error_test.cc LINK cell_robot_arm)
 cell_add_test(unit/yield_policy_test.cc LINK cell_robot_arm)
+cell_add_test(unit/skill_catalog_test.cc LINK cell_robot_arm)
 cell_add_test(unit/fastening_test.cc LINK cell_robot_arm cell_bus cell_tracker)
 cell_add_test(unit/reachable_test.cc
   LINK cell_robot_arm cell_motion_planner cell_tracker cell_vtb)

@@ -19,6 +19,8 @@ constexpr char kFew[] = R"(
 motion: {transit_speed_deg_s: 57, transit_acceleration_deg_s2: 143,
   line_speed_mm_s: 120, clearance_mm: 8, approach_mm: 100, raise_mm: 100}
 fingers: {open_margin_mm: 14, close_beyond_mm: 6}
+distances: {hands_mm: 250, hands_at_work_mm: 100, hands_too_near_mm: 50,
+  in_hand_mm: 15, standing_arm_mm: 6, moving_arm_mm: 60, patience_s: 15}
 insertion:
   default: {}
 screwing:
@@ -53,6 +55,13 @@ class SkillSettingsTest : public testing::Test {
   const PartTable parts_ =
       PartTable::FromConfig(ShippedDeployment().OfTask("parts.yaml"));
 };
+
+TEST_F(SkillSettingsTest, DistancesToPeopleAreRefusedWhereTheyMakeNoSense) {
+  EXPECT_THAT(ErrorOf("hands_too_near_mm: 50", "hands_too_near_mm: 120"),
+              HasSubstr("skills.yaml:distances.hands_too_near_mm: lies above"));
+  EXPECT_THAT(ErrorOf("hands_mm: 250, ", ""),
+              HasSubstr("skills.yaml:distances.hands_mm: missing"));
+}
 
 TEST_F(SkillSettingsTest, TheShippedTaskIsReadable) {
   const SkillSettings settings = SkillSettings::FromConfig(

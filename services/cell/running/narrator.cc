@@ -52,7 +52,7 @@ const char* NameOf(int8_t relation) {
   }
 }
 
-/// "seat shaft at base.shaft"
+/// "seat PART at SITE"
 std::string WordsOf(const skill_request_t& request) {
   static const std::map<std::string, std::string> kWords = {
       {"insert", "seat"}, {"present", "pass on"}};
