@@ -296,12 +296,16 @@ Deployment WithCabinet() {
   const auto dir = std::filesystem::path(testing::TempDir()) / "with_cabinet";
   std::filesystem::remove_all(dir);
   std::filesystem::copy(deployment.task_dir, dir);
-  std::stringstream stream;
-  stream << std::ifstream(dir / "parts.yaml").rdbuf();
-  std::string text = stream.str();
-  const std::string contacts = "contacts:\n";
-  text.insert(text.find(contacts) + contacts.size(), kCabinetContacts);
-  std::ofstream(dir / "parts.yaml") << text << kCabinetParts;
+  const auto insert = [&](const char* file, const std::string& after,
+                          const std::string& added, const std::string& end) {
+    std::stringstream stream;
+    stream << std::ifstream(dir / file).rdbuf();
+    std::string text = stream.str();
+    text.insert(text.find(after) + after.size(), added);
+    std::ofstream(dir / file) << text << end;
+  };
+  insert("parts.yaml", "contacts:\n", kCabinetContacts, kCabinetParts);
+  insert("domain.yaml", "types:\n", kCabinetTypes, "");
   deployment.task_dir = dir;
   return deployment;
 }

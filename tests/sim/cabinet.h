@@ -9,6 +9,11 @@ namespace cell {
 inline constexpr char kCabinetContacts[] =
     "  - [leaf, frame]\n"
     "  - [tray, frame]\n";
+/// The same of a domain.yaml's types.
+inline constexpr char kCabinetTypes[] =
+    "  cabinet: part\n"
+    "  leaf: part\n"
+    "  tray: part\n";
 inline constexpr char kCabinetParts[] = R"(
   cabinet:
     type: cabinet
