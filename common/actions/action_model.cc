@@ -2,8 +2,8 @@
 
 namespace cell {
 
-std::string SettingsOf(const Skill& skill) {
-  return skill.kind == Skill::Kind::kInsert ? "insertion" : "motion";
+std::string SettingsOf(const SkillBinding& skill) {
+  return skill.name == "insert" ? "insertion" : "motion";
 }
 
 }  // namespace cell

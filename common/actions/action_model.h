@@ -24,6 +24,6 @@ struct ActionModel {
 };
 
 /// The section of skills.yaml that has the figures of a skill.
-std::string SettingsOf(const Skill& skill);
+std::string SettingsOf(const SkillBinding& skill);
 
 }  // namespace cell

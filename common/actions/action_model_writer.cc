@@ -50,14 +50,13 @@ class Writer {
     return YAML::Dump(node);
   }
 
-  std::string SkillBinding(const Skill& skill) const {
+  std::string Skill(const SkillBinding& skill) const {
     const auto text = [&](const Term& term) {
       return ToText(term, vocabulary_, action_.arguments);
     };
     YAML::Node node = Flow(YAML::NodeType::Map);
-    node["kind"] = NameOf(skill.kind);
-    node["part"] = text(skill.part);
-    if (skill.kind == Skill::Kind::kInsert) node["site"] = text(skill.site);
+    node["name"] = skill.name;
+    for (const auto& [name, term] : skill.arguments) node[name] = text(term);
     node["arm"] = text(skill.arm);
     return YAML::Dump(node);
   }
@@ -166,7 +165,7 @@ ActionRecord WriteActionModel(const ActionModel& model, const Domain& domain) {
   if (action.undoes) record.undoes = domain.actions()[*action.undoes].name;
   if (model.sec) record.sec = writer.Sec(*model.sec);
   record.rules = writer.Rules();
-  if (action.skill) record.skill = writer.SkillBinding(*action.skill);
+  if (action.skill) record.skill = writer.Skill(*action.skill);
   record.skill_settings = model.skill_settings;
   return record;
 }

@@ -38,7 +38,7 @@ std::optional<GroundAction> Domain::FindGroundAction(
 }
 
 std::optional<GroundSkill> Domain::SkillOf(const GroundAction& action) const {
-  const std::optional<Skill>& skill = actions_.at(action.action).skill;
+  const std::optional<SkillBinding>& skill = actions_.at(action.action).skill;
   if (!skill) return std::nullopt;
   return Bind(*skill, action.arguments);
 }

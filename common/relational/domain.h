@@ -40,7 +40,7 @@ struct Goal {
 ///                 - InHole(X, Y)
 ///                 - {each: {U: part}, where: [On(U, X)], then: [Hot(U)]}
 ///           noise: 0.05
-///       skill: {kind: insert, part: X, site: Y, arm: right}   # optional
+///       skill: {name: insert, part: X, site: Y, arm: right}   # optional
 ///       # Optional: what a robot needs besides, one of these; and what its
 ///       # success changes besides.
 ///       robot:

@@ -260,7 +260,7 @@ Action LoadAction(const std::string& name, const Config& config,
   if (config.Has("robot")) AddRobotRules(config, vocabulary, action);
   if (config.Has("skill")) {
     action.skill =
-        Skill::FromConfig(config["skill"], vocabulary, action.arguments);
+        SkillBinding::FromConfig(config["skill"], vocabulary, action.arguments);
     if (!action.MayBeDoneBy(Agent::kRobot)) {
       config["skill"].Fail("the robot is none of the action's agents");
     }

@@ -60,7 +60,7 @@ struct Action {
   std::vector<Agent> agents;
   std::optional<int> undoes;  ///< the action of which it is the reverse
   std::vector<NdrRule> rules;
-  std::optional<Skill> skill;  ///< how an arm does it
+  std::optional<SkillBinding> skill;  ///< how an arm does it
 
   bool MayBeDoneBy(Agent agent) const;
   bool operator==(const Action&) const = default;

@@ -130,7 +130,7 @@ std::optional<GroundAction> RuleSet::FindGroundAction(
 }
 
 std::optional<GroundSkill> RuleSet::SkillOf(const GroundAction& action) const {
-  const std::optional<Skill>& skill = ActionOf(action).skill;
+  const std::optional<SkillBinding>& skill = ActionOf(action).skill;
   if (!skill) return std::nullopt;
   return Bind(*skill, action.arguments);
 }

@@ -32,20 +32,23 @@ void CheckSkill(const Config& config, const GroundSkill& skill,
   if (layout.FindArm(arm) == nullptr) {
     config["arm"].Fail("cell.yaml has no arm '" + arm + "'");
   }
-  const std::string& name = objects[skill.part].name;
-  const Part* part = parts.Find(name);
-  if (part == nullptr) {
-    config["part"].Fail("parts.yaml has no part '" + name + "'");
+  const auto name_of = [&](const char* argument) -> std::string {
+    const auto it = skill.arguments.find(argument);
+    return it == skill.arguments.end() ? "" : objects[it->second].name;
+  };
+  const std::string part_name = name_of("part"), site_name = name_of("site");
+  const Part* part = parts.Find(part_name);
+  if (!part_name.empty() && part == nullptr) {
+    config["part"].Fail("parts.yaml has no part '" + part_name + "'");
   }
-  if (!skill.site) return;
-  const Site* site = parts.FindSite(objects[*skill.site].name);
-  if (site == nullptr) {
-    config["site"].Fail("parts.yaml has no site '" + objects[*skill.site].name +
-                        "'");
+  const Site* site = parts.FindSite(site_name);
+  if (!site_name.empty() && site == nullptr) {
+    config["site"].Fail("parts.yaml has no site '" + site_name + "'");
   }
+  if (part == nullptr || site == nullptr) return;
   if (std::count(part->fits.begin(), part->fits.end(), site->type) == 0) {
-    config["site"].Fail(
-        fmt::format("{} does not fit {}, a {}", name, site->name, site->type));
+    config["site"].Fail(fmt::format("{} does not fit {}, a {}", part_name,
+                                    site->name, site->type));
   }
 }
 

@@ -148,10 +148,11 @@ execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules) {
   }
   message.num_needed = static_cast<int32_t>(message.needed.size());
   const auto skill = status.step ? rules.SkillOf(*status.step) : std::nullopt;
-  if (skill && skill->site) {
+  if (skill && skill->arguments.contains("site") &&
+      skill->arguments.contains("part")) {
     const auto& objects = rules.vocabulary().objects();
-    message.help_part = objects[skill->part].name;
-    message.help_site = objects[*skill->site].name;
+    message.help_part = objects[skill->arguments.at("part")].name;
+    message.help_site = objects[skill->arguments.at("site")].name;
   }
   return message;
 }

@@ -8,10 +8,8 @@ std::optional<SkillRequest> RequestFor(const GroundAction& action,
                                        const RuleSet& rules) {
   const std::optional<GroundSkill> skill = rules.SkillOf(action);
   if (!skill) return std::nullopt;
-  SkillRequest request{.arm = skill->arm, .skill = NameOf(skill->kind)};
-  request.arguments["part"] = skill->part;
-  if (skill->site) request.arguments["site"] = *skill->site;
-  return request;
+  return SkillRequest{
+      .arm = skill->arm, .skill = skill->name, .arguments = skill->arguments};
 }
 
 bool ShareAnObject(const SkillRequest& a, const SkillRequest& b) {

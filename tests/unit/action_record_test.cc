@@ -110,7 +110,7 @@ TEST_F(Records, AreRefusedForAReason) {
               HasSubstr("goes with a skill"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.agents = {"robot"};
-                r.skill = "{kind: put_down, part: X, arm: left}";
+                r.skill = "{name: put_down, part: X, arm: left}";
                 r.skill_settings = "juggling";
               }),
               HasSubstr("skills.yaml has no section 'juggling'"));

@@ -37,7 +37,7 @@ ActionRecord Named(const std::string& name) {
           "moved: X",
           "- context: []",
           "",
-          "kind: insert",
+          "name: insert",
           "insertion"};
 }
 

@@ -27,7 +27,7 @@ predicates:
 actions:
   Insert:
     arguments: {X: bolt, Y: hole}
-    skill: {kind: insert, part: X, site: Y, arm: right}
+    skill: {name: insert, part: X, site: Y, arm: right}
     robot: &right
       - {context: ["Held(X, right)"], effects: ["not Held(X, right)"]}
       - {context: ["Reachable(right, X)", "not Held(_, right)"], effects: []}
@@ -37,7 +37,7 @@ actions:
         noise: 0.1
   Close:
     arguments: {X: lid}
-    skill: {kind: insert, part: X, site: top, arm: right}
+    skill: {name: insert, part: X, site: top, arm: right}
     robot: *right
     rules:
       - context: ["In(_, hole_1)", "In(_, hole_2)", not Closed(X)]
@@ -46,7 +46,7 @@ actions:
   Present:
     arguments: {X: part}
     agents: [robot]
-    skill: {kind: present, part: X, arm: left}
+    skill: {name: present, part: X, arm: left}
     rules:
       - context: ["Reachable(left, X)", "not Held(_, left)",
                   "not Reachable(right, X)"]
@@ -55,7 +55,7 @@ actions:
   PutDown:
     arguments: {X: part, A: arm}
     agents: [robot]
-    skill: {kind: put_down, part: X, arm: A}
+    skill: {name: put_down, part: X, arm: A}
     rules:
       - context: ["Held(X, A)"]
         outcomes: [{probability: 0.9, effects: ["not Held(X, A)"]}]

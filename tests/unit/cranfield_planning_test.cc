@@ -217,13 +217,13 @@ TEST_F(CranfieldRobot, KnowsHowAnArmDoesEachOfItsActions) {
   for (const GroundAction& action : domain.GroundActions(Agent::kRobot)) {
     const auto skill = domain.SkillOf(action);
     ASSERT_TRUE(skill.has_value()) << domain.Show(action);
-    EXPECT_EQ(skill->part, action.arguments[0]);
+    EXPECT_EQ(skill->arguments.at("part"), action.arguments[0]);
     EXPECT_TRUE(v.IsOf(skill->arm, *v.types().Find("arm")));
-    if (skill->kind != Skill::Kind::kInsert) continue;
+    if (skill->name != "insert") continue;
     EXPECT_EQ(v.objects()[skill->arm].name, "right");
     const int fits = *v.FindStatic("fits");
-    EXPECT_TRUE(
-        v.static_relations()[fits].facts.contains({skill->part, *skill->site}))
+    EXPECT_TRUE(v.static_relations()[fits].facts.contains(
+        {skill->arguments.at("part"), skill->arguments.at("site")}))
         << domain.Show(action);
   }
 }

@@ -203,7 +203,7 @@ TEST_F(Deciding, WhatRunsGoesOnUnderANewRuleSet) {
 TEST_F(Deciding, ANewActionOfANewRuleSetIsPlannedWith) {
   const std::string weld =
       "  Weld:\n    arguments: {X: lid}\n"
-      "    skill: {kind: insert, part: X, site: top, arm: right}\n"
+      "    skill: {name: insert, part: X, site: top, arm: right}\n"
       "    rules:\n      - {context: [not Closed(X)], noise: 0,\n"
       "         outcomes: [{probability: 1, effects: [Closed(X)]}]}\n";
   Begin("robot");

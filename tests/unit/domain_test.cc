@@ -284,7 +284,7 @@ predicates:
 actions:
   Put:
     arguments: {X: box}
-    skill: {kind: insert, part: X, site: p1, arm: right}
+    skill: {name: insert, part: X, site: p1, arm: right}
     robot:
       - {context: ["Held(X, right)"], effects: ["not Held(X, right)"]}
       - {context: ["CanTake(right, X)"], effects: []}
@@ -295,7 +295,7 @@ actions:
   PutDown:
     arguments: {X: box, A: arm}
     agents: [robot]
-    skill: {kind: put_down, part: X, arm: A}
+    skill: {name: put_down, part: X, arm: A}
     rules: []
 goals: {done: [In(b1)]}
 )yaml";
@@ -346,27 +346,24 @@ TEST(DomainOfRobots, BindsSkillsToObjects) {
   const Vocabulary& v = domain.vocabulary();
   const int b1 = *v.FindObject("b1");
   EXPECT_EQ(domain.SkillOf(*domain.FindGroundAction("Put", {"b1"})),
-            (GroundSkill{Skill::Kind::kInsert, b1, v.FindObject("p1"),
+            (GroundSkill{"insert",
+                         {{"part", b1}, {"site", *v.FindObject("p1")}},
                          *v.FindObject("right")}));
   EXPECT_EQ(domain.SkillOf(*domain.FindGroundAction("PutDown", {"b1", "left"})),
-            (GroundSkill{Skill::Kind::kPutDown, b1, std::nullopt,
-                         *v.FindObject("left")}));
+            (GroundSkill{"put_down", {{"part", b1}}, *v.FindObject("left")}));
 }
 
 TEST(DomainOfRobots, RefusesWhatNoArmCouldDo) {
-  EXPECT_THAT(ErrorOfRobots("kind: insert", "kind: throw"),
-              HasSubstr("actions.Put.skill.kind: 'throw' is none of insert"));
-  EXPECT_THAT(ErrorOfRobots("site: p1, ", ""), HasSubstr("site: missing"));
+  EXPECT_THAT(ErrorOfRobots("name: insert, ", ""),
+              HasSubstr("actions.Put.skill.name: missing"));
   EXPECT_THAT(ErrorOfRobots("site: p1", "site: p2"),
               HasSubstr("there is no object 'p2'"));
   EXPECT_THAT(ErrorOfRobots("part: X, site", "part: Y, site"),
               HasSubstr("the variable 'Y' is not known"));
-  EXPECT_THAT(ErrorOfRobots("part: X, arm: A", "part: X, site: p1, arm: A"),
-              HasSubstr("only insert has a site"));
   EXPECT_THAT(ErrorOfRobots("arm: right}", "arm: _}"),
               HasSubstr("must be one object"));
   EXPECT_THAT(ErrorOfRobots("arm: right}", "arm: right, speed: 1}"),
-              HasSubstr("actions.Put.skill.speed: not known"));
+              HasSubstr("actions.Put.skill.speed: there is no object"));
   EXPECT_THAT(ErrorOfRobots("agents: [robot]", "agents: [person]"),
               HasSubstr("skill: the robot is none of the action's agents"));
   EXPECT_THAT(ErrorOfRobots("reported: held", "reported: felt"),

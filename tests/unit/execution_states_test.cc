@@ -182,7 +182,7 @@ TEST_F(States, ActAsksAtOnceForAStepThatNoArmCanDo) {
   Act act;
   context_.plan.SetRules(
       BenchDomain(
-          BenchWith("    skill: {kind: insert, part: X, site: top, arm: "
+          BenchWith("    skill: {name: insert, part: X, site: top, arm: "
                     "right}\n",
                     ""))
           .rules);

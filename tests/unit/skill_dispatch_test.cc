@@ -66,7 +66,7 @@ TEST_F(Dispatch, MakesOneRequestOfEachPlannedAction) {
 
 TEST_F(Dispatch, AnActionThatNoArmCanDoGivesNoRequest) {
   const BenchDomain by_hand(BenchWith(
-      "    skill: {kind: insert, part: X, site: Y, arm: right}\n", ""));
+      "    skill: {name: insert, part: X, site: Y, arm: right}\n", ""));
   EXPECT_FALSE(RequestFor(insert_, *by_hand.rules).has_value());
 }
 

@@ -12,6 +12,7 @@
 #include "services/cell/evaluations/success_criterion.h"
 #include "services/cell/running/service_registry.h"
 #include "services/robot_arm/skill_settings.h"
+#include "services/robot_arm/skills/skill_catalog.h"
 #include "services/vtb/script.h"
 
 namespace cell::cli {
@@ -73,6 +74,25 @@ void CheckDemonstration(const DemonstratorBook& book,
   }
 }
 
+/// What the robot is to do an arm must have a skill for.
+void CheckSkills(const Config& config, const Task& task) {
+  const auto& objects = task.domain.vocabulary().objects();
+  for (const GroundAction& action : task.domain.GroundActions(Agent::kRobot)) {
+    const auto skill = task.domain.SkillOf(action);
+    if (!skill) continue;
+    SkillRequest request{0, skill->name, {}};
+    for (const auto& [name, object] : skill->arguments) {
+      request.arguments[name] = objects[object].name;
+    }
+    const ArmLayout& arm = *task.layout.FindArm(objects[skill->arm].name);
+    const auto why = WhyNoSkill(request, arm.X_FS.has_value());
+    if (!why) continue;
+    const std::string& name = task.domain.actions()[action.action].name;
+    config["actions"][name]["skill"].Fail("the arm '" + arm.name +
+                                          "': " + *why);
+  }
+}
+
 }  // namespace
 
 void CheckTask(const CellFiles& files, const std::string& demonstration) {
@@ -86,6 +106,7 @@ void CheckTask(const CellFiles& files, const std::string& demonstration) {
 
   CheckDemonstrators(book_config, book, task.domain, task.layout);
   CheckDemonstration(book, demonstration);
+  CheckSkills(deployment.OfTask("domain.yaml"), task);
   CheckRoster(deployment.ForService("roster"), files);
   const SimBus all(files.roster, AllServices(deployment, demonstration, 1));
 }
