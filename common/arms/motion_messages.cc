@@ -14,6 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kMaxLength = 10;  // [m]
+constexpr double kMaxSide = 2;     // [m] of an area that is searched
 constexpr double kMaxTurn = 100;   // [rad]
 constexpr double kUnit = 1e-4;     // by which a direction's length may be off
 constexpr size_t kMaxWaypoints = 10'000;
@@ -119,7 +120,8 @@ bool IsWhole(const MotionRequest& request, const PartTable& parts) {
     case Kind::kPlace:
       return is_held && request.target;
     case Kind::kSetDown:
-      return is_held && !request.area.isEmpty();
+      return is_held && !request.area.isEmpty() &&
+             request.area.sizes().maxCoeff() <= kMaxSide;
     case Kind::kWay:
       return true;
   }

@@ -85,6 +85,22 @@ TEST_F(MotionMessages, ARequestThatMakesNoSenseIsRejected) {
   EXPECT_FALSE(IsTaken([=](M& m) { m.area_max[1] = nan; }));
 }
 
+TEST_F(MotionMessages, AnAreaTooLargeToBeSearchedIsRejected) {
+  using M = motion_request_t;
+  const auto set_down = [](double side) {
+    return [side](M& m) {
+      m.kind = M::SET_DOWN;
+      for (arm_posture_t& arm : m.arms) {
+        if (arm.arm == "right") arm.held = "shaft";
+      }
+      for (double& value : m.area_max) value = side;
+    };
+  };
+  EXPECT_TRUE(IsTaken(set_down(0.5)));
+  EXPECT_FALSE(IsTaken(set_down(3)));
+  EXPECT_FALSE(IsTaken(set_down(-0.1)));
+}
+
 TEST_F(MotionMessages, APlanThatMakesNoSenseIsRejected) {
   using M = motion_plan_t;
   ASSERT_TRUE(plan_) << plan_.reason;
