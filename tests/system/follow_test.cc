@@ -23,7 +23,7 @@ url='udpm://239.255.76.67:7667?ttl=0'
 $BIN/sec_builder --follow --deploy $DEPLOY & first=$!
 $BIN/recognizer --follow --deploy $DEPLOY & second=$!
 until [ $(grep -c :1DF3 /proc/net/udp) -ge 2 ]; do :; done
-lcm-logplayer --lcm-url="$url" -e '^(?!KEY_FRAME|ACTION).*' $LOG >player.txt
+lcm-logplayer --lcm-url="$url" -e '^(?!(KEY_FRAME|ACTION)$).*' $LOG >player.txt
 wait $first && wait $second
 )";
     return Shell("cd " + dir_.string() + " && LOG=" + log +

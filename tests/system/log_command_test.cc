@@ -17,6 +17,8 @@
 #include "common/bus/event_log.h"
 #include "common/bus/manifest.h"
 #include "common/bus/message.h"
+#include "common/bus/roster.h"
+#include "common/config/config.h"
 #include "tests/system/run_cell.h"
 #include "tests/system/stock_logger.h"
 
@@ -253,20 +255,24 @@ TEST_F(LogCommand, WhatIsNoLogOrAnotherProgramsIsToldApart) {
 
 TEST_F(LogCommand, ALiveCellsLostFramesAreNamed) {
   ASSERT_EQ(Cell("prepare --cameras --state-dir .").code, 0);
+  const Roster roster = Roster::FromConfig(
+      Config::Load(dir_ / "runs/current/deploy/config/roster.yaml"));
+  const auto sender =
+      static_cast<int32_t>(roster.RequireIndexOf("camera_set@2"));
   {
     EventLogWriter writer(dir_ / "runs/current/cell-0001.lcmlog");
     writer.Write(0, "STEP", Bus::Encode(step_t{}));
     for (const int32_t seq : {0, 2}) {
       Bytes frame(kWireHeaderEnd);
-      WriteIdentity(seq, 12, seq, frame);
+      WriteIdentity(seq, sender, seq, frame);
       writer.Write(seq, "FRAME_2", frame);
     }
   }
   const ShellResult check = Cell("log check runs/current");
   EXPECT_EQ(check.code, 1);
-  EXPECT_THAT(
-      check.output,
-      HasSubstr("the log lacks FRAME_2 sender 12 (camera_set@2) seq 1\n"));
+  EXPECT_THAT(check.output,
+              HasSubstr("the log lacks FRAME_2 sender " +
+                        std::to_string(sender) + " (camera_set@2) seq 1\n"));
 }
 
 }  // namespace
