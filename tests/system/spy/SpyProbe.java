@@ -39,15 +39,20 @@ public final class SpyProbe {
 
   private static void probe(String channel, File picture) throws Exception {
     final JTable table = await(() -> find(Frame.getFrames(), JTable.class));
-    final int row = await(() -> rowOf(table, channel));
-    await(() -> String.valueOf(table.getValueAt(row, 1)).contains("_t")
-        ? true : null);
+    await(() -> {
+      final Integer row = rowOf(table, channel);
+      return row != null
+          && String.valueOf(table.getValueAt(row, 1)).contains("_t")
+          ? true : null;
+    });
     for (int r = 0; r < table.getRowCount(); ++r) {
       System.out.println("row " + table.getValueAt(r, 0) + " "
           + table.getValueAt(r, 1));
     }
+    // Found anew: a channel that was heard since may have moved it.
     on(() -> {
-      final Rectangle cell = table.getCellRect(row, 0, true);
+      final Rectangle cell =
+          table.getCellRect(rowOf(table, channel), 0, true);
       table.dispatchEvent(new MouseEvent(table, MouseEvent.MOUSE_CLICKED, 0, 0,
           cell.x + 3, cell.y + 3, 2, false, MouseEvent.BUTTON1));
       return null;
