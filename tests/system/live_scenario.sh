@@ -17,7 +17,7 @@ main_pid() { systemctl --user show -p MainPID --value "$1"; }
 is_ready() { [[ $(systemctl --user show -p ActiveState --value "$1") == active ]]; }
 for signal in KILL STOP; do
   for service in tracker sec-builder recognizer predicate-estimator planner \
-    supervisor robot-arm@left robot-arm@right library recorder; do
+    supervisor robot-arm@left robot-arm@right library motion-planner recorder; do
     unit=cell-$service.service
     before=$(main_pid "$unit")
     begin=$(date +%s%N)
