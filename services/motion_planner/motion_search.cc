@@ -54,11 +54,12 @@ MotionPlan MotionSearch::FindReachable(const MotionRequest& request) const {
   one.kind = MotionRequest::Kind::kGrasp;
   one.arm = request.arm;
   one.arms[one.arm].posture = HomePosture(*params_.layout.FindArm(one.arm));
+  ArmScene fixed = empty_;
+  for (const auto& [name, X_WO] : request.parts) {
+    if (params_.parts.Find(name)->is_fixed) fixed.PutPart(name, X_WO);
+  }
   for (const std::string& part : request.wanted) {
-    ArmScene scene = empty_;
-    for (const auto& [name, X_WO] : request.parts) {
-      if (params_.parts.Find(name)->is_fixed) scene.PutPart(name, X_WO);
-    }
+    ArmScene scene = fixed;
     scene.PutPart(part, request.parts.at(part));
     one.part = part;
     if (RequestSearch(params_, one, std::move(scene)).FindGrasp()) {
