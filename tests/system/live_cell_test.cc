@@ -147,12 +147,22 @@ TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
     EXPECT_NE(twin, nullptr) << message->channel << " " << message->tick;
   }
   EXPECT_EQ(glimpse.lives().size(), own.lives().size());
+
+  const ShellResult told = Cell("replay glimpse");
+  EXPECT_THAT(told.output, HasSubstr("key frame 0: as it stands"));
+  EXPECT_THAT(TextOf(dir_ / "glimpse/run.yaml"),
+              HasSubstr("demonstration: \"two_pegs\"\nseed: 7\n"));
+  EXPECT_EQ(told.code, is_whole ? 0 : 1) << told.output;
+  EXPECT_THAT(Cell("replay glimpse --check").output,
+              Not(HasSubstr("DIFFERENT")));
+  EXPECT_EQ(Cell("view glimpse --at 1 --out picture.png").code, 0);
 }
 
 TEST_F(Live, WithoutACellARecordingSaysThatItHeardNothing) {
   const ShellResult record = Cell("record --seconds 0.3 --out glimpse");
   EXPECT_EQ(record.code, 1);
   EXPECT_THAT(record.output, HasSubstr("no cell was heard"));
+  EXPECT_FALSE(std::filesystem::exists(dir_ / "glimpse"));
 }
 
 }  // namespace

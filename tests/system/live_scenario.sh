@@ -42,7 +42,7 @@ done
 sleep 20  # what nobody has recognised is told as the episode is over
 kill -TERM "$ears"
 wait "$ears"
-"$cell" replay "$out/glimpse" >"$out/heard.txt" 2>/dev/null
+"$cell" replay "$out/glimpse" >"$out/heard.txt" 2>&1
 "$cell" down --user >"$out/down.txt"
 "$cell" replay "$state/runs/current" >"$out/told.txt" 2>/dev/null
 "$cell" replay "$state/runs/current" --check >"$out/check.txt" 2>&1

@@ -110,7 +110,9 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
   EXPECT_THAT(told.substr(last_plan, 60), HasSubstr("the goal is reached"));
   // Each placement was recognised, or it is told that it was not: "No action
   // was recognised ...", "Found done ...".
-  const std::string all = told + TextOf(dir_ / "heard.txt");
+  const std::string heard = TextOf(dir_ / "heard.txt");
+  EXPECT_THAT(heard, HasSubstr("the episode ends"));
+  const std::string all = told + heard;
   for (const std::string part :
        {"round_peg_1", "round_peg_2", "square_peg_1", "square_peg_2", "shaft",
         "separator", "pendulum", "head", "face_plate"}) {

@@ -2,15 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "cell/episode_t.hpp"
+#include "common/bus/decode.h"
 #include "common/bus/lcm_port.h"
-#include "common/bus/run_log.h"
 #include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
@@ -27,8 +26,6 @@ namespace cell::cli {
 using namespace recorder;
 namespace {
 
-namespace fs = std::filesystem;
-
 struct RecordOptions {
   AddressOption address;
   std::string deploy_dir;
@@ -36,29 +33,20 @@ struct RecordOptions {
   double duration_s = 0;
 };
 
-fs::path FolderFor(const std::string& out) {
-  const fs::path folder =
-      out.empty() ? ClaimRunFolder("runs", "record") : fs::path(out);
-  fs::create_directories(folder);
-  if (!LogsOf(folder).empty()) {
-    throw std::runtime_error(folder.string() +
-                             ": has logs already; choose another --out");
-  }
-  return folder;
-}
-
 // Everything that members of the cell say, as it comes.
 class Recording {
  public:
   Recording(const RecordOptions& options, const CellFiles& files)
-      : folder_(FolderFor(options.out)),
-        log_(folder_, RotatingLog::ParamsFromConfig(
-                          files.deployment.ForService("recorder"))),
+      : run_(RunFolder::Create(options.out, "record", files.deployment, "", 0)),
+        log_(run_.path, RotatingLog::ParamsFromConfig(
+                            files.deployment.ForService("recorder"))),
         traffic_(files.roster.NumListed()),
         port_(options.address.Get().MainUrl()) {
     port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
       auto message = traffic_.Hear(channel, std::move(bytes));
-      if (message) messages_.push_back(*std::move(message));
+      if (!message) return;
+      KeepWhatWasAsked(*message);
+      messages_.push_back(*std::move(message));
     });
   }
 
@@ -87,16 +75,25 @@ class Recording {
     std::cout << fmt::format(
         "{}: {} messages of {} channels in {:.1f} s, {} lost, {} of no member "
         "of the cell left out\n",
-        folder_.string(), num_messages_, report.channels.size(),
+        run_.path.string(), num_messages_, report.channels.size(),
         clock_.ElapsedSeconds(), num_lost, report.num_foreign);
     if (num_messages_ > 0) return num_lost > 0 ? 1 : 0;
+    run_.Discard();
     std::cout << "no cell was heard: does it run on this network? See `cell "
                  "status` and docs/operating.md\n";
     return 1;
   }
 
  private:
-  fs::path folder_;
+  // Whoever has started the cell said it; each EPISODE repeats it.
+  void KeepWhatWasAsked(const Message& message) {
+    if (message.channel != "EPISODE" || !run_.demonstration.empty()) return;
+    const auto episode = Decode<episode_t>(message);
+    if (!episode) return;
+    run_.AskFor(episode->demonstration, static_cast<uint64_t>(episode->seed));
+  }
+
+  RunFolder run_;
   RotatingLog log_;
   Traffic traffic_;
   LcmPort port_;
@@ -118,13 +115,14 @@ void AddRecord(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
       "record",
       "Record a cell that runs on this network, beside its own recorder, until "
-      "Ctrl-C. Exit code 1 if a message was lost.\n"
+      "Ctrl-C: a run folder, for `cell replay`, `cell view` and `cell log`. "
+      "Exit code 1 if a message was lost.\n"
       "Example: cell record --seconds 10 --out glimpse");
   options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--out", options->out,
-                      "folder of the logs (default: runs/record-...)");
+                      "run folder to make (default: runs/record-...)");
   command->add_option("--seconds", options->duration_s, "end after so many")
       ->check(NumberIn(0.1, 86400.));
   command->callback([=] {

@@ -83,7 +83,8 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
   run.path = path.empty() ? ClaimRunFolder("runs", kind) : fs::path(path);
   Claim(run.path);
   try {
-    run.Fill(source, demonstration, seed);
+    run.Fill(source);
+    run.AskFor(demonstration, seed);
   } catch (...) {
     run.Discard();
     throw;
@@ -91,8 +92,7 @@ RunFolder RunFolder::Create(const std::string& path, const std::string& kind,
   return run;
 }
 
-void RunFolder::Fill(const Deployment& source, const std::string& episodes,
-                     uint64_t chance) {
+void RunFolder::Fill(const Deployment& source) {
   const fs::path frames = FramesElsewhere(source);
   const std::string task = source.task_dir.filename().string();
   deployment = DeploymentIn(path, task);
@@ -109,13 +109,17 @@ void RunFolder::Fill(const Deployment& source, const std::string& episodes,
       }
     }
   }
-  demonstration = episodes;
-  seed = chance;
   roster =
       Roster::FromConfig(Config::Load(deployment.config_dir / "roster.yaml"));
+}
+
+void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
+  demonstration = episodes;
+  seed = chance;
   WriteFile(path / "run.yaml",
-            fmt::format("task: {}\ndemonstration: \"{}\"\nseed: {}\n", task,
-                        demonstration, seed));
+            fmt::format("task: {}\ndemonstration: \"{}\"\nseed: {}\n",
+                        deployment.task_dir.filename().string(), demonstration,
+                        seed));
 }
 
 void RunFolder::TakePart(const std::string& option) {

@@ -31,14 +31,16 @@ struct RunFolder {
   void TakePart(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
+  /// Keeps what was asked for: a recording of a cell that others have started
+  /// hears it only then. @throws std::runtime_error naming the file.
+  void AskFor(const std::string& demonstration, uint64_t seed);
   /// Removes it: the run never began.
   void Discard() const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.
   static RunFolder Open(const std::string& path);
 
  private:
-  void Fill(const Deployment& source, const std::string& episodes,
-            uint64_t chance);
+  void Fill(const Deployment& source);
 };
 
 /// Makes RUNS/<kind>-<number> with the first free number; of several callers at
