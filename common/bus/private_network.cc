@@ -1,6 +1,7 @@
 #include "common/bus/private_network.h"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <net/if.h>
 #include <net/route.h>
 #include <sched.h>
@@ -48,6 +49,18 @@ void RouteMulticastToLoopback(int socket_fd) {
           "adding the multicast route");
 }
 
+/// `kind` as in /proc/PID/ns.
+void JoinNamespaceOf(int pid, const std::string& kind) {
+  const std::string path = "/proc/" + std::to_string(pid) + "/ns/" + kind;
+  const int ns_fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  Require(ns_fd >= 0, "opening " + path);
+  const int result = setns(ns_fd, 0);
+  const int error = errno;
+  close(ns_fd);
+  errno = error;
+  Require(result == 0, "joining the network of process " + std::to_string(pid));
+}
+
 }  // namespace
 
 void EnterPrivateNetwork() {
@@ -61,6 +74,13 @@ void EnterPrivateNetwork() {
   RaiseLoopback(socket_fd);
   RouteMulticastToLoopback(socket_fd);
   close(socket_fd);
+}
+
+void JoinNetworkOf(int pid) {
+  // Whoever is not root made the network in a user namespace of his own, which
+  // gives the right to join it.
+  if (geteuid() != 0) JoinNamespaceOf(pid, "user");
+  JoinNamespaceOf(pid, "net");
 }
 
 }  // namespace cell

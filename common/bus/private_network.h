@@ -8,4 +8,9 @@ namespace cell {
 /// @throws std::system_error that names the step which failed.
 void EnterPrivateNetwork();
 
+/// Moves the calling process (before it starts threads) into the network of
+/// another process of this user, e.g. one that has entered a private one.
+/// @throws std::system_error that names the step which failed.
+void JoinNetworkOf(int pid);
+
 }  // namespace cell

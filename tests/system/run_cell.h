@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,6 +24,8 @@ class RunCell : public testing::Test {
            (std::string(test.test_suite_name()) + "-" + test.name());
     std::filesystem::remove_all(dir_);
     std::filesystem::create_directories(dir_);
+    // The demos of other tests are not this one's.
+    setenv("XDG_RUNTIME_DIR", (dir_ / "runtime").c_str(), 1);
   }
   void TearDown() override {
     if (!HasFailure()) std::filesystem::remove_all(dir_);

@@ -45,6 +45,8 @@ target_compile_definitions(systemd_test PRIVATE CELL_BUILD_DIR="${CMAKE_BINARY_D
 add_dependencies(systemd_test programs)
 cell_add_test(system/live_cell_test.cc LINK cell_cli Threads::Threads TIMEOUT 300)
 add_dependencies(live_cell_test programs)
+cell_add_test(system/demo_network_test.cc LINK cell_cli TIMEOUT 300)
+add_dependencies(demo_network_test programs)
 cell_add_test(system/hosts_test.cc LINK cell_cli cell_imaging TIMEOUT 300)
 add_dependencies(hosts_test programs)
 cell_add_test(system/terminal_test.cc LINK cell_bus Threads::Threads)

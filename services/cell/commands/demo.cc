@@ -17,6 +17,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/running/demo_registry.h"
 #include "services/cell/running/output_follower.h"
 #include "services/cell/running/process_group.h"
 #include "services/cell/running/run_options.h"
@@ -199,6 +200,7 @@ class Demo {
 
 int RunDemo(const DemoOptions& options) {
   const RunFolder run = options.run.CreateFolder("demo");
+  const DemoRegistration registration(run.path);
   EnterPrivateNetwork();
   return Demo(options, run).Run(StopOnSignals());
 }

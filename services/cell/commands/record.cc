@@ -10,12 +10,12 @@
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/lcm_port.h"
-#include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/running/cell_address.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
 #include "services/cell/running/traffic.h"
@@ -27,7 +27,7 @@ using namespace recorder;
 namespace {
 
 struct RecordOptions {
-  AddressOption address;
+  CellAddress address;
   std::string deploy_dir;
   std::string out;
   double duration_s = 0;
@@ -36,12 +36,13 @@ struct RecordOptions {
 // Everything that members of the cell say, as it comes.
 class Recording {
  public:
-  Recording(const RecordOptions& options, const CellFiles& files)
-      : run_(RunFolder::Create(options.out, "record", files.deployment, "", 0)),
+  Recording(const LcmAddress& address, const std::string& out,
+            const CellFiles& files)
+      : run_(RunFolder::Create(out, "record", files.deployment, "", 0)),
         log_(run_.path, RotatingLog::ParamsFromConfig(
                             files.deployment.ForService("recorder"))),
         traffic_(files.roster.NumListed()),
-        port_(options.address.Get().MainUrl()) {
+        port_(address.MainUrl()) {
     port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
       auto message = traffic_.Hear(channel, std::move(bytes));
       if (!message) return;
@@ -103,7 +104,8 @@ class Recording {
 };
 
 int RunRecord(const RecordOptions& options) {
-  Recording recording(options, FindCellFiles(options.deploy_dir));
+  const LcmAddress address = options.address.Reach();
+  Recording recording(address, options.out, FindCellFiles(options.deploy_dir));
   recording.Run(options.duration_s, StopOnSignals());
   return recording.Finish();
 }

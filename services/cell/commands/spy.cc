@@ -8,16 +8,16 @@
 #include <memory>
 #include <system_error>
 
-#include "common/node/address_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/doctor/host_machine.h"
+#include "services/cell/running/cell_address.h"
 #include "services/cell/running/spy_command.h"
 
 namespace cell::cli {
 namespace {
 
 struct SpyOptions {
-  AddressOption address;
+  CellAddress address;
   std::string root;
 };
 
@@ -37,7 +37,7 @@ int RunSpy(const SpyOptions& options) {
                  "a desktop, or log in with ssh -X\n";
     return 1;
   }
-  const LcmAddress address = options.address.Get();
+  const LcmAddress address = options.address.Reach();
   const std::vector<std::string> command =
       SpyCommand(parts, fmt::format("udpm://{}:{}?ttl={}", address.group,
                                     address.port, address.ttl));

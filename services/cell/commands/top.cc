@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "common/bus/lcm_port.h"
-#include "common/node/address_option.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "common/text/printable_output.h"
 #include "common/text/terminal.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/running/cell_address.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/traffic.h"
 #include "services/cell/running/traffic_table.h"
@@ -22,14 +22,14 @@ namespace cell::cli {
 namespace {
 
 struct TopOptions {
-  AddressOption address;
+  CellAddress address;
   std::string deploy_dir;
   double period_s = 1;
   int num_reports = 0;
 };
 
 int RunTop(const TopOptions& options) {
-  const LcmAddress address = options.address.Get();
+  const LcmAddress address = options.address.Reach();
   Traffic traffic(FindCellFiles(options.deploy_dir).roster.NumListed());
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());

@@ -39,10 +39,15 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
 // MOTION_PERMIT in a live cell.
 OperatorPort::OperatorPort(const OperatorOptions& options,
                            OperatorCommand command)
+    : OperatorPort(options.address.Reach(), options.deadline_s,
+                   std::move(command)) {}
+
+OperatorPort::OperatorPort(const LcmAddress& address, double deadline_s,
+                           OperatorCommand command)
     : command_(std::move(command)),
-      deadline_s_(options.deadline_s),
-      control_(options.address.Get().ControlUrl()),
-      main_(options.address.Get().MainUrl()) {
+      deadline_s_(deadline_s),
+      control_(address.ControlUrl()),
+      main_(address.MainUrl()) {
   main_.SubscribeTo(std::vector<std::string>{kTickChannel, "MOTION_PERMIT",
                                              kAnswerChannel, command_.channel},
                     [this](const std::string& channel, const Bytes& bytes) {

@@ -8,7 +8,7 @@
 #include "cell/answer_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/lcm_port.h"
-#include "common/node/address_option.h"
+#include "services/cell/running/cell_address.h"
 
 namespace CLI {
 class App;
@@ -18,11 +18,11 @@ namespace cell::cli {
 
 /// How an operator's word reaches the clock, and until when it counts.
 struct OperatorOptions {
-  AddressOption address;
+  CellAddress address;
   double deadline_s = 1;
 };
 
-/// Adds --url, --allow-network and --deadline. `options` must outlive the
+/// Adds the options of the address and --deadline. `options` must outlive the
 /// parsing.
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
 
@@ -52,6 +52,8 @@ class OperatorPort {
   }
 
  private:
+  OperatorPort(const LcmAddress& address, double deadline_s,
+               OperatorCommand command);
   int Execute(const Bytes& bytes);
   int64_t DeadlineUtime() const;
   void OnMessage(const std::string& channel, const Bytes& bytes);

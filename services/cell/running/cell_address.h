@@ -1,0 +1,33 @@
+#pragma once
+
+#include "common/node/address_option.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace cell::cli {
+
+/// Where a command finds the cell that it is for: at --url if that is given; in
+/// the network of `cell demo` number --demo if that is; else on this network
+/// if a cell is heard there, or else in the only demo of this user.
+class CellAddress {
+ public:
+  /// Adds --url, --allow-network and --demo. This must outlive the parsing.
+  void AddTo(CLI::App& app);
+
+  /// Before the process starts threads: it may move into a demo's network, and
+  /// then says so on standard error. @throws std::invalid_argument that names
+  /// the option, or the demos among which one has to choose.
+  LcmAddress Reach() const;
+
+ private:
+  void JoinDemo(int pid) const;
+
+  AddressOption address_;
+  int demo_ = 0;  // process id
+  CLI::Option* url_option_ = nullptr;
+};
+
+}  // namespace cell::cli
