@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/text/nearest.h"
+
 namespace cell {
 
 Roster Roster::FromConfig(const Config& config) {
@@ -41,7 +43,10 @@ std::optional<size_t> Roster::IndexOf(const std::string& name) const {
 size_t Roster::RequireIndexOf(const std::string& name) const {
   const auto index = IndexOf(name);
   if (!index) {
-    throw std::invalid_argument("'" + name + "' is not in the roster");
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) names.push_back(entry.name);
+    throw std::invalid_argument("'" + name + "' is not in the roster" +
+                                NamesInstead(name, names));
   }
   return *index;
 }

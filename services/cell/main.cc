@@ -10,10 +10,10 @@
 static int Run(int argc, char** argv) {
   CLI::App app(
       "A robot cell that is taught by showing.\nExample: cell demo --seed 7");
-  app.require_subcommand(1);
   cell::cli::Action action;
   cell::cli::AddAllCommands(app, &action);
   try {
+    cell::cli::CheckCommandNames(app, argc, argv);
     app.parse(argc, argv);
     return action();
   } catch (const CLI::ParseError& e) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/text/nearest.h"
 #include "services/planner/execute.h"
 
 namespace cell::planner {
@@ -92,9 +93,9 @@ const Goal* DecisionMaker::FindGoal(const std::string& name) const {
 }
 
 std::string DecisionMaker::NoGoal(const std::string& name) const {
-  std::string text = "The task has no goal '" + name + "', but:";
-  for (const Goal& known : params_.goals) text += " " + known.name;
-  return text;
+  std::vector<std::string> names;
+  for (const Goal& known : params_.goals) names.push_back(known.name);
+  return "The task has no goal '" + name + "'" + NamesInstead(name, names);
 }
 
 }  // namespace cell::planner

@@ -17,6 +17,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/geometry/pose.h"
 #include "common/task/task.h"
+#include "common/text/nearest.h"
 
 namespace cell::vtb {
 namespace {
@@ -364,7 +365,12 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   const auto configured = config.Get<std::string>("demonstration");
   for (const std::string& name : SplitAtPlus(configured)) {
     if (params.book.scripts.contains(name)) continue;
-    config["demonstration"].Fail("no script is named '" + name + "'");
+    std::vector<std::string> names;
+    for (const auto& [script, entry] : params.book.scripts) {
+      names.push_back(script);
+    }
+    config["demonstration"].Fail("no script is named '" + name + "'" +
+                                 NamesInstead(name, names));
   }
   // Every episode has its own chance.
   for (const std::string& name :

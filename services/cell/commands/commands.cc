@@ -1,14 +1,53 @@
 #include "services/cell/commands/commands.h"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/text/nearest.h"
+#include "common/text/printable.h"
+
 namespace cell::cli {
+namespace {
+
+std::vector<std::string> NamesOf(const std::vector<CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+}  // namespace
 
 void AddAllCommands(CLI::App& app, Action* action) {
+  app.set_version_flag("--version", "cell " CELL_VERSION);
   for (const auto add :
-       {AddDemo,    AddSim,     AddReplay, AddDiff,   AddEval,   AddView,
-        AddChain,   AddCheck,   AddUp,     AddDown,   AddStatus, AddTop,
-        AddDoctor,  AddEpisode, AddHold,   AddResume, AddGoal,   AddPrepare,
-        AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes}) {
+       {AddDemo,    AddSim,     AddList,    AddReplay, AddDiff,   AddEval,
+        AddView,    AddChain,   AddCheck,   AddUp,     AddDown,   AddStatus,
+        AddTop,     AddDoctor,  AddEpisode, AddHold,   AddResume, AddGoal,
+        AddPrepare, AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes}) {
     add(app, action);
+  }
+}
+
+void CheckCommandNames(CLI::App& app, int argc, const char* const* argv) {
+  if (argc <= 1) throw CLI::CallForHelp();
+  CLI::App* level = &app;
+  for (int i = 1; i < argc; ++i) {
+    const auto commands = level->get_subcommands({});
+    const std::string_view word = argv[i];
+    if (commands.empty() || word.starts_with('-')) return;
+    const auto it = std::ranges::find(
+        commands, word, [](const CLI::App* a) { return a->get_name(); });
+    if (it == commands.end()) {
+      throw CLI::ParseError("there is no command '" + Printable(word) + "'" +
+                                NamesInstead(word, NamesOf(commands)),
+                            CLI::ExitCodes::ExtrasError);
+    }
+    level = *it;
   }
 }
 

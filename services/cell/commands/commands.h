@@ -14,6 +14,11 @@ using Action = std::function<int()>;
 /// Adds every command to the command line, in the order of its help.
 void AddAllCommands(CLI::App& app, Action* action);
 
+/// @throws CLI::ParseError with the nearest command and all of them if the
+/// arguments begin with a command, or a command's subcommand, that is not
+/// there; CLI::CallForHelp if there are no arguments.
+void CheckCommandNames(CLI::App& app, int argc, const char* const* argv);
+
 // Each adds one subcommand to the command line and, if it is chosen, sets
 // `action`. One file per command; hold and resume share one, and up, down and
 // status.
@@ -40,5 +45,6 @@ void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
 void AddLibrary(CLI::App& app, Action* action);
+void AddList(CLI::App& app, Action* action);
 
 }  // namespace cell::cli

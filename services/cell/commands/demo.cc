@@ -57,7 +57,7 @@ PlannedKill ParseKill(const std::string& text, const Roster& roster) {
 class Demo {
  public:
   Demo(const DemoOptions& options, const RunFolder& run)
-      : options_(options), run_(run), report_(run, options.run.is_hash) {
+      : options_(options), run_(run), report_(run, options.run) {
     for (const Roster::Entry& entry : run.roster.entries) {
       outputs_.Add(LogOf(entry.name));
     }
@@ -83,8 +83,7 @@ class Demo {
     while (IsRunning()) {
       if (stop) {
         processes_.StopAll(kGraceMs);
-        throw std::runtime_error("stopped; the log is in " +
-                                 run_.path.string());
+        run_.Stopped();
       }
       WaitForAny(ports, kLookMs);
       if (ticks) ticks->Drain();
@@ -211,7 +210,10 @@ void AddDemo(CLI::App& app, Action* action) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = app.add_subcommand(
       "demo",
-      "Watch a person assemble: all processes over LCM, on a private network.\n"
+      "Watch a person assemble, or let the arms do it (--demonstration "
+      "execution, or assembly+execution for one after the other): all "
+      "processes "
+      "over LCM, on a private network.\n"
       "Example: cell demo --seed 7 --pace realtime");
   options->run.AddTo(*command);
   command

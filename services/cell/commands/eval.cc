@@ -5,10 +5,12 @@
 #include <iostream>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
+#include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/job_pool.h"
@@ -61,6 +63,13 @@ void RunMissing(const EvalOptions& options, const CellFiles& files,
   }
   Progress progress;
   size_t num_done = 0;
+  const auto& stop = StopOnSignals();
+  const auto show_and_go_on = [&] {
+    progress.Show(fmt::format("{}/{} runs, {:.0f} s", num_done, missing.size(),
+                              progress.ElapsedSeconds()));
+    return !stop;
+  };
+  show_and_go_on();
   RunJobs(
       missing, options.jobs,
       [&](size_t i) {
@@ -79,9 +88,14 @@ void RunMissing(const EvalOptions& options, const CellFiles& files,
         row["group"] = trials[i].group;
         row["seed"] = trials[i].seed;
         rows->Append(KeyOf(trials[i]), row);
-        progress.Show(fmt::format("{}/{} runs, {:.0f} s", num_done,
-                                  missing.size(), progress.ElapsedSeconds()));
-      });
+      },
+      show_and_go_on);
+  if (!stop) return;
+  throw std::runtime_error(fmt::format(
+      "stopped; {} of {} runs are in {}: the same command with --resume does "
+      "the others",
+      trials.size() - missing.size() + num_done, trials.size(),
+      rows->path().string()));
 }
 
 json ToJson(const Measure& measure, uint64_t seed) {

@@ -22,6 +22,7 @@ struct ReplayOptions {
   std::string run;
   std::vector<std::string> services;
   bool is_check = false;
+  bool is_verbose = false;
 };
 
 void Tell(const Message& message, Narrator* narrator) {
@@ -103,7 +104,7 @@ int ReplayLiveRun(const ReplayOptions& options, RunFolder run) {
   const auto problems = log.Problems(run.roster);
   Report(problems, "log: ");
   if (!options.is_check) {
-    Narrator narrator;
+    Narrator narrator(options.is_verbose);
     for (const Message* message : log.InOrder()) Tell(*message, &narrator);
     return problems.empty() ? 0 : 1;
   }
@@ -124,7 +125,7 @@ int RunReplay(const ReplayOptions& options) {
     std::cerr << "log: " << Printable(problem) << "\n";
   }
   if (!options.is_check) {
-    Narrator narrator;
+    Narrator narrator(options.is_verbose);
     for (const auto& [k, tick] : log.ticks()) {
       for (const Message& message : tick.messages) Tell(message, &narrator);
     }
@@ -149,6 +150,10 @@ void AddReplay(CLI::App& app, Action* action) {
   command->add_option("run", options->run, "run folder")->required();
   CLI::Option* check = command->add_flag("--check", options->is_check,
                                          "recompute and compare byte for byte");
+  command
+      ->add_flag("--verbose", options->is_verbose,
+                 "tell also whole plans, and conditions as formulas")
+      ->excludes(check);
   command
       ->add_option("--service", options->services,
                    "only this one (may be repeated)")

@@ -5,6 +5,7 @@
 
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
+#include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/run_options.h"
 #include "services/cell/running/run_report.h"
@@ -50,9 +51,11 @@ int RunSim(const SimOptions& options) {
   if (!options.deaths_of.empty()) outages = OutagesIn(options.deaths_of);
   const RunFolder run = options.run.CreateFolder("sim");
   const auto bus = MakeBus(run, std::move(outages));
-  RunReport report(run, options.run.is_hash);
+  RunReport report(run, options.run);
   constexpr int32_t kTicksPerReport = 25;
+  const auto& stop = StopOnSignals();
   while (bus->Step()) {
+    if (stop) run.Stopped();
     if (bus->last_tick().header.tick % kTicksPerReport == 0) report.Follow();
   }
   return report.Finish();

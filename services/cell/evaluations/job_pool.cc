@@ -78,7 +78,8 @@ void Bury(Worker* worker) {
 
 void RunJobs(const std::vector<size_t>& indices, int num_processes,
              const std::function<std::string(size_t)>& job,
-             const std::function<void(size_t, const std::string&)>& done) {
+             const std::function<void(size_t, const std::string&)>& done,
+             const std::function<bool()>& may_go_on) {
   std::vector<Worker> workers;
   size_t next = 0;
   while (next < indices.size() || !workers.empty()) {
@@ -90,7 +91,15 @@ void RunJobs(const std::vector<size_t>& indices, int num_processes,
     for (const Worker& worker : workers) {
       descriptors.push_back({worker.fd, POLLIN, 0});
     }
-    poll(descriptors.data(), descriptors.size(), -1);
+    constexpr int kMaxWaitMs = 500;
+    poll(descriptors.data(), descriptors.size(), kMaxWaitMs);
+    if (!may_go_on()) {
+      for (Worker& worker : workers) {
+        kill(worker.pid, SIGKILL);
+        Bury(&worker);
+      }
+      return;
+    }
     for (size_t i = workers.size(); i-- > 0;) {
       if (descriptors[i].revents == 0 || !Listen(&workers[i])) continue;
       Bury(&workers[i]);

@@ -9,9 +9,12 @@ namespace cell::cli {
 /// Runs `job(i)` for every i of `indices` in processes of their own, at most
 /// `num_processes` at a time; `done(i, result)` hears each result as it comes,
 /// in the order of completion. A job that dies or throws gives an empty result.
-/// Device adapter.
-void RunJobs(const std::vector<size_t>& indices, int num_processes,
-             const std::function<std::string(size_t)>& job,
-             const std::function<void(size_t, const std::string&)>& done);
+/// `may_go_on` is asked at least twice a second; once it says no, the jobs that
+/// run are ended without a result. Device adapter.
+void RunJobs(
+    const std::vector<size_t>& indices, int num_processes,
+    const std::function<std::string(size_t)>& job,
+    const std::function<void(size_t, const std::string&)>& done,
+    const std::function<bool()>& may_go_on = [] { return true; });
 
 }  // namespace cell::cli

@@ -52,6 +52,25 @@ const char* NameOf(int8_t relation) {
   }
 }
 
+std::string StepsOf(const std::vector<plan_step_t>& steps) {
+  std::vector<std::string> texts;
+  for (const plan_step_t& step : steps) {
+    texts.push_back(Call(step, step.action));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// The next step, or why there is none.
+std::string SummaryOf(const plan_t& plan) {
+  if (plan.result == plan_t::GOAL_REACHED) return "the goal is reached";
+  if (plan.result != plan_t::FOUND || plan.steps.empty()) {
+    return "no plan: " + plan.reason;
+  }
+  const plan_step_t& next = plan.steps.front();
+  return fmt::format("next: {}, of {} steps to the goal",
+                     Call(next, next.action), plan.steps.size());
+}
+
 /// "seat PART at SITE"
 std::string WordsOf(const skill_request_t& request) {
   static const std::map<std::string, std::string> kWords = {
@@ -139,7 +158,7 @@ std::vector<std::string> Narrator::TellPredicates(const Message& message) {
                                                             : "unknown ";
     changes.push_back(sign + name);
   }
-  if (changes.empty()) return {};
+  if (changes.empty() || (is_first && !is_verbose_)) return {};
   return {Continued(fmt::format("{}: {}", is_first ? "state" : "now",
                                 fmt::join(changes, ", ")))};
 }
@@ -147,24 +166,17 @@ std::vector<std::string> Narrator::TellPredicates(const Message& message) {
 std::vector<std::string> Narrator::TellPlan(const Message& message) {
   const auto plan = Decode<plan_t>(message);
   if (!plan) return {};
-  if (plan->result == plan_t::GOAL_REACHED) {
-    return {Continued("plan: the goal is reached")};
+  std::vector<std::string> lines;
+  const std::string summary = SummaryOf(*plan);
+  if (summary != plan_summary_) lines.push_back(Continued(summary));
+  plan_summary_ = summary;
+  if (is_verbose_ && plan->result == plan_t::FOUND) {
+    lines.push_back(
+        Continued(fmt::format("plan, {:.2f} actions expected: {}",
+                              plan->expected_actions, StepsOf(plan->steps))));
+    lines.push_back(Continued("possible now: " + StepsOf(plan->next)));
   }
-  if (plan->result != plan_t::FOUND) {
-    return {Continued("plan: " + plan->reason)};
-  }
-  std::vector<std::string> steps;
-  for (const plan_step_t& step : plan->steps) {
-    steps.push_back(Call(step, step.action));
-  }
-  std::vector<std::string> next;
-  for (const plan_step_t& step : plan->next) {
-    next.push_back(Call(step, step.action));
-  }
-  return {
-      Continued(fmt::format("plan, {:.2f} actions expected: {}",
-                            plan->expected_actions, fmt::join(steps, ", "))),
-      Continued(fmt::format("possible now: {}", fmt::join(next, ", ")))};
+  return lines;
 }
 
 std::vector<std::string> Narrator::TellAlert(const Message& message) {
@@ -238,6 +250,7 @@ std::vector<std::string> Narrator::TellEpisode(const Message& message) {
   }
   relations_.clear();
   literals_.clear();
+  plan_summary_.clear();
   return {
       Line(episode->header.utime,
            fmt::format("episode {}: task {}, goal {}, {} (seed {})",

@@ -11,10 +11,13 @@
 namespace cell::cli {
 
 /// Tells what happens in a cell in plain words: key frames, recognised actions,
-/// predicates that changed, the plan, what arms do, alerts. Pure: messages in
+/// predicates that changed, the next step, what arms do, alerts. If it is
+/// verbose also the state at the start, and all of each plan. Pure: messages in
 /// canonical order in, lines out.
 class Narrator {
  public:
+  explicit Narrator(bool is_verbose = false) : is_verbose_(is_verbose) {}
+
   std::vector<std::string> Tell(const Message& message);
 
  private:
@@ -30,9 +33,11 @@ class Narrator {
   std::vector<std::string> TellExecution(const Message& message);
   std::vector<std::string> TellMode(const Message& message);
 
+  bool is_verbose_;
   std::map<std::pair<std::string, std::string>, int8_t> relations_;
   std::map<std::string, int8_t> literals_;
-  std::string hold_reason_;  // last told
+  std::string hold_reason_;   // last told
+  std::string plan_summary_;  // last told
 };
 
 }  // namespace cell::cli

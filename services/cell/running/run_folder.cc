@@ -148,6 +148,11 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   WriteFile(file, YAML::Dump(planner) + "\n");
 }
 
+void RunFolder::Stopped() const {
+  throw std::runtime_error("stopped; the log is in " + path.string() +
+                           " (cell replay tells it)");
+}
+
 void RunFolder::Discard() const {
   fs::remove_all(path);
 }

@@ -34,6 +34,9 @@ struct RunFolder {
   /// Keeps what was asked for: a recording of a cell that others have started
   /// hears it only then. @throws std::runtime_error naming the file.
   void AskFor(const std::string& demonstration, uint64_t seed);
+  /// @throws std::runtime_error always: the user has stopped the run, whose
+  /// log is here.
+  [[noreturn]] void Stopped() const;
   /// Removes it: the run never began.
   void Discard() const;
   /// @throws std::runtime_error or ConfigError if it is not a run folder.

@@ -25,6 +25,8 @@ void RunOptions::AddTo(CLI::App& command) {
                    "with the camera sets: their pictures reach the log");
   command.add_flag("--hash", is_hash,
                    "print nothing but one digest per channel");
+  command.add_flag("--verbose", is_verbose,
+                   "tell also whole plans, and conditions as formulas");
 }
 
 RunFolder RunOptions::CreateFolder(const std::string& kind) const {

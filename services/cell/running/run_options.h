@@ -20,6 +20,7 @@ struct RunOptions {
   std::string out;
   bool has_cameras = false;
   bool is_hash = false;
+  bool is_verbose = false;
   std::vector<std::string> help_steps;
 
   void AddTo(CLI::App& command);

@@ -89,8 +89,11 @@ std::string TellExecuted(const EpisodeRecord& record,
 
 }  // namespace
 
-RunReport::RunReport(const RunFolder& run, bool is_hash)
-    : run_(run), is_hash_(is_hash), follower_(run.path) {}
+RunReport::RunReport(const RunFolder& run, const RunOptions& options)
+    : run_(run),
+      is_hash_(options.is_hash),
+      follower_(run.path),
+      narrator_(options.is_verbose) {}
 
 void RunReport::Follow() {
   while (const auto message = follower_.Next()) {

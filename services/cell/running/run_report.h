@@ -9,14 +9,15 @@
 #include "services/cell/running/narrator.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
+#include "services/cell/running/run_options.h"
 
 namespace cell::cli {
 
 /// Tells on the terminal what a run does, from its log as it grows, and sums it
-/// up. With `is_hash` it says nothing but the digests of the channels.
+/// up. With --hash it says nothing but the digests of the channels.
 class RunReport {
  public:
-  RunReport(const RunFolder& run, bool is_hash);
+  RunReport(const RunFolder& run, const RunOptions& options);
 
   /// Tells what has been written since the last call.
   void Follow();

@@ -1,7 +1,6 @@
 #include "services/cell/running/task_check.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "common/bus/sim_bus.h"
 #include "common/task/task.h"
+#include "common/text/nearest.h"
 #include "services/cell/evaluations/success_criterion.h"
 #include "services/cell/running/service_registry.h"
 #include "services/robot_arm/skill_settings.h"
@@ -32,9 +32,8 @@ Names GoalNames(const Domain& domain) {
 void CheckDemonstrators(const Config& config, const DemonstratorBook& book,
                         const Domain& domain, const CellLayout& layout) {
   if (domain.FindGoal(book.goal) == nullptr) {
-    config["goal"].Fail(fmt::format("domain.yaml has no goal '{}', but: {}",
-                                    book.goal,
-                                    fmt::join(GoalNames(domain), ", ")));
+    config["goal"].Fail("domain.yaml has no goal '" + book.goal + "'" +
+                        NamesInstead(book.goal, GoalNames(domain)));
   }
   for (const auto& [name, script] : book.scripts) {
     const Config entry = config["scripts"][name];
@@ -55,8 +54,8 @@ void CheckRoster(const Config& config, const CellFiles& files) {
     if (known.contains(name)) continue;
     Names names;
     for (const auto& [service, factory] : known) names.push_back(service);
-    item["name"].Fail(fmt::format("there is no service '{}', but: {}", name,
-                                  fmt::join(names, ", ")));
+    item["name"].Fail("there is no service '" + name + "'" +
+                      NamesInstead(name, names));
   }
 }
 
@@ -69,8 +68,8 @@ void CheckDemonstration(const DemonstratorBook& book,
     for (const auto& [script, entry] : book.scripts) known.push_back(script);
     throw std::invalid_argument(
         fmt::format("--demonstration {}: no script of demonstrators.yaml is "
-                    "named '{}', but: {}",
-                    demonstration, name, fmt::join(known, ", ")));
+                    "named '{}'{}",
+                    demonstration, name, NamesInstead(name, known)));
   }
 }
 

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/node/cell_files.h"
+#include "common/task/task.h"
+#include "common/text/printable.h"
+#include "services/cell/commands/commands.h"
+#include "services/cell/evaluations/evaluation.h"
+#include "services/vtb/script.h"
+
+namespace cell::cli {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names TasksBeside(const std::filesystem::path& task_dir) {
+  Names names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(task_dir.parent_path())) {
+    if (entry.is_directory()) names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Those of a person and those in which the robot works.
+std::pair<Names, Names> DemonstrationsOf(const Deployment& deployment,
+                                         const Task& task) {
+  const auto book = vtb::DemonstratorBook::FromConfig(
+      deployment.OfTask("demonstrators.yaml"), task.parts);
+  Names by_person, by_robot;
+  for (const auto& [name, script] : book.scripts) {
+    (script.agent == "robot" ? by_robot : by_person).push_back(name);
+  }
+  return {by_person, by_robot};
+}
+
+void Print(const std::string& what, const Names& names) {
+  std::cout << Printable(fmt::format(
+                   "{:28} {}", what,
+                   names.empty() ? "none"
+                                 : fmt::format("{}", fmt::join(names, ", "))))
+            << "\n";
+}
+
+int RunList(const std::string& deploy_dir) {
+  const CellFiles files = FindCellFiles(deploy_dir);
+  const Task task = LoadTask(files.deployment);
+  const auto [by_person, by_robot] = DemonstrationsOf(files.deployment, task);
+  Names goals, actions, services, evaluations;
+  for (const Goal& goal : task.domain.goals()) goals.push_back(goal.name);
+  for (const ActionModel& action : task.actions)
+    actions.push_back(action.action.name);
+  for (const auto& entry : files.roster.entries) services.push_back(entry.name);
+  for (const auto& evaluation : AllEvaluations()) {
+    evaluations.push_back(evaluation->name());
+  }
+  Print("tasks", TasksBeside(files.deployment.task_dir));
+  const std::string name = files.deployment.task_dir.filename().string();
+  Print("of " + name + ": goals", goals);
+  Print("  demonstrations, person", by_person);
+  Print("  demonstrations, robot", by_robot);
+  Print("  actions", actions);
+  Print("services", services);
+  Print("evaluations", evaluations);
+  return 0;
+}
+
+}  // namespace
+
+void AddList(CLI::App& app, Action* action) {
+  auto deploy_dir = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "list",
+      "What there is to name: tasks, goals, demonstrations, actions, services, "
+      "evaluations.\nExample: cell list");
+  command->add_option("--deploy", *deploy_dir,
+                      "folder with config/ and tasks/");
+  command->callback([=] {
+    *action = [=] {
+      return RunList(*deploy_dir);
+    };
+  });
+}
+
+}  // namespace cell::cli
