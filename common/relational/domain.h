@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/relational/request_words.h"
 #include "common/relational/rule.h"
 
 namespace cell {
@@ -45,6 +46,7 @@ struct Goal {
 ///       # success changes besides.
 ///       robot:
 ///         - {context: [Held(X, right)], effects: [not Held(X, right)]}
+///   requests: ...                                 # optional: RequestWords
 ///   goals:
 ///     done: [InHole(_, a.h)]
 class Domain {
@@ -60,6 +62,7 @@ class Domain {
   const Vocabulary& vocabulary() const { return vocabulary_; }
   const std::vector<Action>& actions() const { return actions_; }
   const std::vector<Goal>& goals() const { return goals_; }
+  const RequestWords& requests() const { return requests_; }
   std::optional<int> FindAction(const std::string& name) const;
   /// Nothing if there is none of that name.
   const Goal* FindGoal(const std::string& name) const;
@@ -80,6 +83,7 @@ class Domain {
   Vocabulary vocabulary_;
   std::vector<Action> actions_;
   std::vector<Goal> goals_;
+  RequestWords requests_;
 };
 
 /// Reads an action as it stands in domain.yaml, but for `undoes` and `sec`.

@@ -285,6 +285,8 @@ Domain Domain::FromConfig(const Config& config, const PartTable& parts) {
     }
     action.undoes = FindUndone(node["undoes"], action, domain.actions_);
   }
+  domain.requests_ =
+      RequestWords::FromConfig(config, domain.vocabulary_, domain.actions_);
   for (const auto& [name, node] : config["goals"].Entries()) {
     Goal goal{name, ParseLiterals(node, domain.vocabulary_, {})};
     if (goal.literals.empty()) node.Fail("wants nothing");

@@ -143,6 +143,7 @@ execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules) {
   message.state = CodeOf(status.state);
   message.action = status.action;
   message.text = status.text;
+  message.formula = status.formula;
   for (const RequiredChange& change : status.needed) {
     message.needed.push_back(ToMessage(change, rules.vocabulary()));
   }

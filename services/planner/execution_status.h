@@ -14,6 +14,8 @@ struct ExecutionStatus {
   State state = State::kRunning;
   std::string action = {};  ///< being done; empty: none
   std::string text = {};    ///< kStuck: the question to the person
+  /// kStuck: why it is asked, as conditions of the domain; empty: that is all.
+  std::string formula = {};
   /// kStuck: what would have to be otherwise.
   std::vector<RequiredChange> needed = {};
   /// kStuck: the step that is left to a person.

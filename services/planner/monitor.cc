@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "services/planner/question.h"
+
 namespace cell::planner {
 namespace {
 
@@ -65,6 +67,13 @@ Decisions Monitor::Update(const DoneAction& action) {
   return Report(std::move(alerts), true);
 }
 
+/// What the person can do about it.
+std::string Monitor::HelpFrom(const Plan& no_plan) const {
+  const std::string words =
+      WordsForChanges(no_plan, rules_->vocabulary(), params_.requests);
+  return words.empty() ? ": " + no_plan.reason : "; please " + words;
+}
+
 std::optional<Alert> Monitor::Judge(const DoneAction& action,
                                     const SensedState& after) {
   const Plan plan = solver_->Find(after.state);
@@ -74,8 +83,8 @@ std::optional<Alert> Monitor::Judge(const DoneAction& action,
   }
   if (plan.result == Plan::Result::kNoPlan) {
     return Alert{Alert::Cause::kNoPlan, action.utime,
-                 fmt::format("After {} there is no way to the goal: {}",
-                             action.text, plan.reason)};
+                 fmt::format("After {} no plan leads to the goal{}",
+                             action.text, HelpFrom(plan))};
   }
   const double now = plan.expected_actions;
   const std::optional<double> without = ActionsWithout(action, after.state);

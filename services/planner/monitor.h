@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/relational/request_words.h"
 #include "services/planner/decisions.h"
 #include "services/planner/observations.h"
 #include "services/planner/solver.h"
@@ -25,6 +26,7 @@ class Monitor {
     /// States and actions that are remembered: of the latest key frames. An
     /// action that lasts longer is compared with the oldest one.
     int max_remembered = 1024;
+    RequestWords requests = {};  ///< how the person is asked
   };
 
   /// `solver` is of these rules.
@@ -45,6 +47,7 @@ class Monitor {
   /// action waits for one that is not.
   std::optional<Alert> Judge(const DoneAction& action,
                              const SensedState& after);
+  std::string HelpFrom(const Plan& no_plan) const;
   /// Expected actions to the goal had the action not been made.
   std::optional<double> ActionsWithout(const DoneAction& action,
                                        const State& after);

@@ -74,7 +74,9 @@ std::unique_ptr<DecisionMaker> LoadDecisionMaker(const Domain& domain,
   params.make_solver = PlanSearch::Maker(
       {config.Integer("max_states", 1, std::numeric_limits<int>::max())});
   params.watch = LoadWatch(config);
+  params.watch.monitor.requests = domain.requests();
   params.execution = LoadExecution(config["execution"], *rules);
+  params.execution.requests = domain.requests();
   config.Finish();
   return std::make_unique<DecisionMaker>(rules, std::move(params));
 }

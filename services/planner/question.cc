@@ -40,11 +40,35 @@ std::string AskForReach(const RequiredChange& change, const State& state,
                      OutOfWhoseReach(atom, state, vocabulary));
 }
 
+/// "put the shaft into base.shaft"; without words of the domain "do
+/// Insert(shaft, base.shaft)".
+std::string WordsFor(const GroundAction& action, const RuleSet& rules,
+                     const RequestWords& requests) {
+  const auto words = requests.ToDo(rules.ActionOf(action).name,
+                                   action.arguments, rules.vocabulary());
+  return words.value_or("do " + rules.Show(action));
+}
+
+/// "take out of base.shaft what is in it"; without words of the domain "see to
+/// it that Free(base.shaft)".
+std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
+                     const RequestWords& requests) {
+  const bool is_true = change.truth == Truth::kTrue;
+  const auto words =
+      requests.ToMake(vocabulary.Atom(change.atom), is_true, vocabulary);
+  return words.value_or(fmt::format("see to it that {}{}",
+                                    is_true ? "" : "not ",
+                                    vocabulary.AtomName(change.atom)));
+}
+
 /// Names what a person has to see to, and nothing else. What is to be moved
 /// into reach cannot be judged otherwise before it is.
-std::string AskForChanges(const Plan& no_plan, const State& state,
-                          const Vocabulary& vocabulary) {
-  std::vector<std::string> sentences;
+ExecutionStatus AskForChanges(const Plan& no_plan, const State& state,
+                              const Vocabulary& vocabulary,
+                              const RequestWords& requests) {
+  ExecutionStatus question{.state = ExecutionStatus::State::kStuck,
+                           .needed = no_plan.needed};
+  std::vector<std::string> sentences, formulas;
   std::set<int> out_of_reach;
   for (const RequiredChange& change : no_plan.needed) {
     if (!IsForReach(change, vocabulary)) continue;
@@ -55,43 +79,77 @@ std::string AskForChanges(const Plan& no_plan, const State& state,
     const std::vector<int> objects = vocabulary.Atom(change.atom).objects;
     const bool is_told = std::ranges::any_of(
         objects, [&](int object) { return out_of_reach.contains(object); });
-    if (!is_told) sentences.push_back(change.why);
+    if (is_told) continue;
+    sentences.push_back("please " + WordsFor(change, vocabulary, requests));
+    formulas.push_back(change.why);
   }
-  return sentences.empty() ? no_plan.reason
-                           : fmt::format("{}", fmt::join(sentences, "; "));
+  question.text =
+      sentences.empty()
+          ? "no action leads to the goal from here: please take apart what is "
+            "in the way of it"
+          : fmt::format("{}", fmt::join(sentences, "; "));
+  question.formula = sentences.empty()
+                         ? no_plan.reason
+                         : fmt::format("{}", fmt::join(formulas, "; "));
+  return question;
 }
 
-std::string AskAfterFailures(const GroundAction& action,
-                             const FailureHistory::Entry& failed,
-                             const RuleSet& rules) {
+ExecutionStatus AskAfterFailures(const GroundAction& action,
+                                 const FailureHistory::Entry& failed,
+                                 const RuleSet& rules,
+                                 const RequestWords& requests) {
   const std::optional<GroundSkill> skill = rules.SkillOf(action);
-  const std::string by_arm =
-      skill
-          ? " by the " + rules.vocabulary().objects()[skill->arm].name + " arm"
-          : "";
-  return fmt::format(
-      "{}{} has failed {} times: {}; please do it, or change what hinders it",
-      rules.Show(action), by_arm, failed.count, failed.reason);
+  const std::string whose =
+      skill ? "the " + rules.vocabulary().objects()[skill->arm].name + " arm"
+            : "the robot";
+  return {.state = ExecutionStatus::State::kStuck,
+          .text = fmt::format(
+              "{} has tried {} times to {}, and failed: {}; please do it "
+              "yourself, or remove what hinders it",
+              whose, failed.count, WordsFor(action, rules, requests),
+              failed.reason),
+          .formula = rules.Show(action)};
 }
 
 }  // namespace
 
-std::string AskForHelp(const CurrentPlan& plan, const State& state,
-                       const FailureHistory& failures) {
+ExecutionStatus AskForHelp(const CurrentPlan& plan, const State& state,
+                           const FailureHistory& failures,
+                           const RequestWords& requests) {
   if (!failures.Blocked().empty()) {
     const Plan unblocked = plan.FindUnblocked(state);
     const FailureHistory::Entry* failed =
         unblocked.steps.empty() ? nullptr
                                 : failures.Of(unblocked.steps[0].action);
     if (failed != nullptr) {
-      return AskAfterFailures(unblocked.steps[0].action, *failed, plan.rules());
+      ExecutionStatus question = AskAfterFailures(
+          unblocked.steps[0].action, *failed, plan.rules(), requests);
+      question.needed = plan.get().needed;
+      return question;
     }
   }
-  return AskForChanges(plan.get(), state, plan.rules().vocabulary());
+  return AskForChanges(plan.get(), state, plan.rules().vocabulary(), requests);
 }
 
-std::string AskForStep(const GroundAction& action, const RuleSet& rules) {
-  return "please do " + rules.Show(action);
+std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
+                            const RequestWords& requests) {
+  std::vector<std::string> words;
+  for (const RequiredChange& change : no_plan.needed) {
+    words.push_back(WordsFor(change, vocabulary, requests));
+  }
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string AskForStep(const GroundAction& action, const RuleSet& rules,
+                       const RequestWords& requests) {
+  return "please " + WordsFor(action, rules, requests);
+}
+
+std::string AskForView(const GroundAction& action, const RuleSet& rules,
+                       const RequestWords& requests) {
+  return "it cannot be seen whether one can " +
+         WordsFor(action, rules, requests) +
+         ": please clear the view, or do it yourself";
 }
 
 }  // namespace cell::planner

@@ -2,18 +2,34 @@
 
 #include <string>
 
+#include "common/relational/request_words.h"
 #include "services/planner/current_plan.h"
+#include "services/planner/execution_status.h"
 #include "services/planner/failure_history.h"
 
 namespace cell::planner {
 
-/// The question to the person when there is no plan (sections VI-B1, IX-C): it
-/// names what has failed too often, if all would be well without, or else what
-/// would have to be otherwise. @param plan  none was found for `state`
-std::string AskForHelp(const CurrentPlan& plan, const State& state,
-                       const FailureHistory& failures);
+// What the person is asked, in words of the task's domain where it has some.
 
-/// The question for a step that is left to the person.
-std::string AskForStep(const GroundAction& action, const RuleSet& rules);
+/// The question when there is no plan (sections VI-B1, IX-C): it names what has
+/// failed too often, if all would be well without, or else what the hands could
+/// do so that there is a plan. @param plan  none was found for `state`
+ExecutionStatus AskForHelp(const CurrentPlan& plan, const State& state,
+                           const FailureHistory& failures,
+                           const RequestWords& requests);
+
+/// "take away what lies over the shaft; take out of base.round_1 what is in
+/// it": what would have to be done so that there is a plan; empty: nothing
+/// would help.
+std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
+                            const RequestWords& requests);
+
+/// "please screw the head on": the step is left to the person.
+std::string AskForStep(const GroundAction& action, const RuleSet& rules,
+                       const RequestWords& requests);
+
+/// The question when nobody can see whether the next step is possible.
+std::string AskForView(const GroundAction& action, const RuleSet& rules,
+                       const RequestWords& requests);
 
 }  // namespace cell::planner

@@ -242,7 +242,7 @@ TEST_F(Hosts, HearAndLogSmallMessagesAndFramesWhole) {
   for (const char* host : {"devices", "watching"}) {
     for (const std::string& name : kServicesOn.at(host)) {
       EXPECT_THAT(replay.output,
-                  ContainsRegex(name + " +[0-9]+ messages of 1 lives, "
+                  ContainsRegex(name + " +[0-9]+ messages? of 1 start, "
                                        "byte-identical\n"));
     }
   }

@@ -51,7 +51,7 @@ TEST_F(Live, AMinuteUnderLoadReplaysByteForByte) {
   for (const std::string& name : names_) {
     if (name == "recorder") continue;
     EXPECT_THAT(replay.output,
-                testing::ContainsRegex(name + " +[0-9]+ messages of 1 lives, "
+                testing::ContainsRegex(name + " +[0-9]+ messages? of 1 start, "
                                               "byte-identical"));
   }
   EXPECT_EQ(replay.code, 0) << replay.output;

@@ -267,8 +267,8 @@ TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
   EXPECT_THAT(TakeAsked(), testing::SizeIs(3));
   ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_EQ(told_.back().text,
-            "Close(lid) by the right arm has failed 3 times: the lid is bent; "
-            "please do it, or change what hinders it");
+            "the right arm has tried 3 times to do Close(lid), and failed: the "
+            "lid is bent; please do it yourself, or remove what hinders it");
   // The person bends it straight, which no predicate says.
   DoneAction moved{0, now_.utime, 0, 0, {Object("lid")}, "moving lid"};
   moved.pick_utime = now_.utime - 1;

@@ -13,6 +13,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/cell_address.h"
@@ -57,7 +58,7 @@ class Recording {
     while (!stop && (duration_s == 0 || clock_.ElapsedSeconds() < duration_s)) {
       WaitForAny({&port_}, kWaitMs);
       port_.Drain();
-      num_messages_ += messages_.size();
+      num_messages_ += static_cast<int64_t>(messages_.size());
       const auto failure = log_.Append(std::exchange(messages_, {}));
       if (failure) throw std::runtime_error(*failure);
     }
@@ -74,10 +75,14 @@ class Recording {
                                channel.num_lost);
     }
     std::cout << fmt::format(
-        "{}: {} messages of {} channels in {:.1f} s, {} lost, {} of no member "
-        "of the cell left out\n",
-        run_.path.string(), num_messages_, report.channels.size(),
-        clock_.ElapsedSeconds(), num_lost, report.num_foreign);
+        "{}: {} of {} in {:.1f} s, {} lost{}\n", run_.path.string(),
+        Counted(num_messages_, "message"),
+        Counted(static_cast<int64_t>(report.channels.size()), "channel"),
+        clock_.ElapsedSeconds(), num_lost,
+        report.num_foreign == 0
+            ? ""
+            : "; left out " + Counted(report.num_foreign, "message") +
+                  " that no service of the cell sent");
     if (num_messages_ > 0) return num_lost > 0 ? 1 : 0;
     run_.Discard();
     std::cout << "no cell was heard: does it run on this network? See `cell "
@@ -100,7 +105,7 @@ class Recording {
   LcmPort port_;
   Progress clock_;
   std::vector<Message> messages_;
-  size_t num_messages_ = 0;
+  int64_t num_messages_ = 0;
 };
 
 int RunRecord(const RecordOptions& options) {

@@ -9,6 +9,7 @@
 
 #include "common/bus/live_log.h"
 #include "common/bus/live_replay.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/narrator.h"
@@ -61,7 +62,7 @@ std::pair<bool, std::string> ReplayOne(const RunFolder& run, const RunLog& log,
     return {true, "nothing of it in this log"};
   }
   std::string line =
-      fmt::format("{} messages, byte-identical", result.num_messages);
+      Counted(result.num_messages, "message") + ", byte-identical";
   if (result.gap_after) {
     line += fmt::format(" up to the gap after tick {}", *result.gap_after);
   }
@@ -75,8 +76,9 @@ std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
   const LiveReplayResult result = ReplayLive(log, run.roster, name, factory);
   if (result.difference) return {false, "DIFFERENT: " + *result.difference};
   if (result.num_lives == 0) return {true, "keeps no journal in this log"};
-  std::string line = fmt::format("{} messages of {} lives, byte-identical",
-                                 result.num_messages, result.num_lives);
+  std::string line = fmt::format("{} of {}, byte-identical",
+                                 Counted(result.num_messages, "message"),
+                                 Counted(result.num_lives, "start"));
   if (result.num_unrecorded > 0) {
     line += fmt::format("; {} more that the log lacks", result.num_unrecorded);
   }
@@ -145,7 +147,8 @@ void AddReplay(CLI::App& app, Action* action) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand(
       "replay",
-      "Tell a recorded run again, or recompute every service's outputs from "
+      "Say again what happened in a recorded run, or recompute every service's "
+      "outputs from "
       "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
   command->add_option("run", options->run, "run folder")->required();
   CLI::Option* check = command->add_flag("--check", options->is_check,

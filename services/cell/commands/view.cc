@@ -28,6 +28,7 @@ struct ViewOptions {
   std::optional<double> at_s;
   std::string camera;
   bool is_of_depth = false;
+  bool has_counts = false;
   Viewpoint viewpoint;
 };
 
@@ -67,6 +68,7 @@ int ViewScene(const RunFolder& run, const ViewOptions& options) {
       DrawScene(run.deployment, poses, options.viewpoint, draft.path());
   draft.PutNew(kAnotherOut);
   for (const auto& [name, num] : num_pixels) {
+    if (!options.has_counts) break;
     std::cout << fmt::format("{:24} {:7} pixels\n", Printable(name), num);
   }
   std::cout << fmt::format("{} shows {:.2f} s\n", options.out,
@@ -85,7 +87,7 @@ int ViewFrame(const RunFolder& run, const ViewOptions& options) {
   }
   Draft draft(options.out);
   WritePng(draft.path(),
-           options.is_of_depth ? GreyOfDepth(frame->depth) : frame->colour);
+           options.is_of_depth ? GreyOfDepth(*frame) : frame->colour);
   draft.PutNew(kAnotherOut);
   std::cout << fmt::format("{} shows what camera {} saw at {:.2f} s\n",
                            options.out, options.camera, Seconds(frame->utime));
@@ -105,8 +107,7 @@ void AddView(CLI::App& app, Action* action) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand(
       "view",
-      "Draw any moment of a recorded run, and count each body's pixels; or "
-      "show what a camera took.\n"
+      "Draw any moment of a recorded run, or show what a camera took.\n"
       "Example: cell view runs/demo-0001 --at 20 --out scene.png");
   command->add_option("run", options->run, "run folder")->required();
   command->add_option("--at", options->at_s, "[s] moment (default: the last)")
@@ -114,6 +115,10 @@ void AddView(CLI::App& app, Action* action) {
   command->add_option("--out", options->out, "PNG file")->capture_default_str();
   command->add_flag("--ids", options->viewpoint.is_of_ids,
                     "every body in a colour of its own");
+  command->add_flag("--labels", options->viewpoint.has_labels,
+                    "write the name on each part");
+  command->add_flag("--counts", options->has_counts,
+                    "print how many pixels show each body");
   CLI::Option* camera =
       command->add_option("--camera", options->camera,
                           "the frame that this camera set took, e.g. 1");
@@ -132,9 +137,9 @@ void AddView(CLI::App& app, Action* action) {
       ->check(NumberIn(1.0, 89.0))
       ->capture_default_str();
   command
-      ->add_option("--distance", options->viewpoint.distance,
-                   "[m] of the camera")
-      ->check(NumberIn(0.1, 10.0))
+      ->add_option("--focus", options->viewpoint.focus,
+                   "what fills the picture: cell, parts, or a name, e.g. "
+                   "arm_left")
       ->capture_default_str();
   command->callback([=] {
     *action = [=] {

@@ -80,7 +80,7 @@ class WatchEvaluation final : public Evaluation {
     return {
         ShareOf(rows, "valid", "steps recognised with the right arguments",
                 "steps_recognised", "steps"),
-        RunsOf(rows, "valid", "runs all recognised, none invented, no alarm",
+        RunsOf(rows, "valid", "runs all recognised, no false one, no alarm",
                [](const json& row) {
                  return row.at("steps_recognised") == row.at("steps") &&
                         row.at("invented") == 0 &&
@@ -94,7 +94,7 @@ class WatchEvaluation final : public Evaluation {
         ShareOf(rows, "taken_back", "unknown moves named unknown",
                 "moves_named", "moves"),
         RunsOf(rows, "taken_back",
-               "runs all named, none invented, no false alarm",
+               "runs all named, no false one, no false alarm",
                [](const json& row) {
                  return row.at("steps_recognised") == row.at("steps") &&
                         row.at("invented") == 0 && row.at("false_alarms") == 0;

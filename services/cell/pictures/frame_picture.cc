@@ -1,10 +1,35 @@
 #include "services/cell/pictures/frame_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
+
+#include "services/cell/pictures/text_drawing.h"
 
 namespace cell::cli {
+namespace {
 
-RgbImage GreyOfDepth(const DepthImage& depth) {
+/// What the grey means: at the foot of the picture from the furthest to the
+/// nearest.
+void DrawScale(int nearest, int furthest, double unit, RgbImage* picture) {
+  const auto metres = [&](int count) {
+    return fmt::format("{:.2f} m", count * unit);
+  };
+  constexpr int kScale = 2;
+  constexpr int kEdge = 8;
+  const std::string low = "dark " + metres(furthest);
+  const std::string high = "bright " + metres(nearest);
+  const auto [width, height] = TextSize(high, kScale);
+  const int row = picture->height - height - kEdge;
+  DrawText(low, kEdge, row, kScale, picture);
+  DrawText(high, picture->width - width - kEdge, row, kScale, picture);
+}
+
+}  // namespace
+
+RgbImage GreyOfDepth(const RgbdFrame& frame) {
+  const DepthImage& depth = frame.depth;
   int nearest = 65535;
   int furthest = 1;
   for (const int count : depth.counts) {
@@ -22,6 +47,9 @@ RgbImage GreyOfDepth(const DepthImage& depth) {
                    : kDarkest + (255 - kDarkest) * (furthest - count) / range;
     const auto value = static_cast<uint8_t>(grey);
     picture.pixels.push_back({value, value, value});
+  }
+  if (nearest <= furthest) {
+    DrawScale(nearest, furthest, frame.depth_unit, &picture);
   }
   return picture;
 }

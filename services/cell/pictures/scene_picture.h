@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -10,20 +9,23 @@
 
 namespace cell::cli {
 
-/// From where and how a picture of the cell is taken.
+/// From where and how a picture of the cell is taken, and what fills it.
 struct Viewpoint {
   double azimuth_deg = -62;   ///< of the camera about z of W, from x
   double elevation_deg = 38;  ///< above the table
-  double distance = 1.75;     ///< [m] from what it looks at
-  std::array<double, 3> target = {0.03, -0.12, 0.10};  ///< [m] in W
+  /// "cell": all but the table; "parts": the task's parts; or the name of a
+  /// body, or of what has several bodies: "arm_left".
+  std::string focus = "cell";
   int width = 1280;
   int height = 960;
-  bool is_of_ids = false;  ///< every body in a colour of its own
+  bool is_of_ids = false;   ///< every body in a colour of its own
+  bool has_labels = false;  ///< each part that is seen has its name on it
 };
 
 /// Draws the cell as TRUTH_POSES has it into a PNG file.
 /// @return pixels that each body covers.
-/// @throws ConfigError for the task's files, std::runtime_error for the file.
+/// @throws ConfigError for the task's files, std::invalid_argument for a focus
+/// that is not there, std::runtime_error for the file.
 std::map<std::string, int> DrawScene(const Deployment& deployment,
                                      const truth_poses_t& poses,
                                      const Viewpoint& viewpoint,

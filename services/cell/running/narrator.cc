@@ -18,6 +18,7 @@
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 
 namespace cell::cli {
@@ -63,12 +64,17 @@ std::string StepsOf(const std::vector<plan_step_t>& steps) {
 /// The next step, or why there is none.
 std::string SummaryOf(const plan_t& plan) {
   if (plan.result == plan_t::GOAL_REACHED) return "the goal is reached";
+  if (plan.result == plan_t::UNDECIDED) {
+    return "no plan yet: " + plan.reason;
+  }
   if (plan.result != plan_t::FOUND || plan.steps.empty()) {
-    return "no plan: " + plan.reason;
+    return "no plan leads from here to the goal";
   }
   const plan_step_t& next = plan.steps.front();
-  return fmt::format("next: {}, of {} steps to the goal",
-                     Call(next, next.action), plan.steps.size());
+  const auto num_left = static_cast<int64_t>(plan.steps.size()) - 1;
+  return fmt::format("next: {}, {}", Call(next, next.action),
+                     num_left == 0 ? "the last step"
+                                   : "then " + Counted(num_left, "more step"));
 }
 
 /// "seat PART at SITE"
@@ -170,6 +176,9 @@ std::vector<std::string> Narrator::TellPlan(const Message& message) {
   const std::string summary = SummaryOf(*plan);
   if (summary != plan_summary_) lines.push_back(Continued(summary));
   plan_summary_ = summary;
+  if (is_verbose_ && !plan->reason.empty()) {
+    lines.push_back(Continued("since " + plan->reason));
+  }
   if (is_verbose_ && plan->result == plan_t::FOUND) {
     lines.push_back(
         Continued(fmt::format("plan, {:.2f} actions expected: {}",
@@ -210,9 +219,9 @@ std::vector<std::string> Narrator::TellResult(const Message& message) {
   const auto result = Decode<skill_result_t>(message);
   if (!result) return {};
   const bool is_good = result->outcome == skill_result_t::SUCCEEDED;
-  std::string what =
-      fmt::format("the {} arm {}", result->arm,
-                  is_good ? "has done it" : "has not: " + result->reason);
+  std::string what = fmt::format(
+      "the {} arm {}", result->arm,
+      is_good ? "has done it" : "has not done it: " + result->reason);
   if (result->peak_force > 0) {
     what += fmt::format(" (seating: its wrist sensor felt at most {:.0f} N)",
                         result->peak_force);
@@ -227,7 +236,12 @@ std::vector<std::string> Narrator::TellExecution(const Message& message) {
     return {Line(execution->header.utime, "the task is done")};
   }
   if (execution->state == execution_t::STUCK) {
-    return {Line(execution->header.utime, "QUESTION: " + execution->text)};
+    std::vector<std::string> lines = {
+        Line(execution->header.utime, "QUESTION: " + execution->text)};
+    if (is_verbose_ && !execution->formula.empty()) {
+      lines.push_back(Continued("since " + execution->formula));
+    }
+    return lines;
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/evaluations/assembly_score.h"
 #include "services/cell/evaluations/episode_score.h"
@@ -26,11 +27,12 @@ double SimSeconds(int32_t tick) {
 std::string TellWatched(const EpisodeRecord& record) {
   const EpisodeScore score = Score(record);
   return fmt::format(
-      "recognised {}/{} steps, {} taken back, {} moved, {} invented\n"
-      "plan: {}",
-      score.num_steps_recognised, score.num_steps, score.num_take_backs_named,
-      score.num_moves_named, score.num_invented,
-      score.is_goal_reached ? "the last state is the goal"
+      "recognised {} of {}; {} taken back, {} only moved; {}\n{}",
+      score.num_steps_recognised, Counted(score.num_steps, "step"),
+      Counted(score.num_take_backs_named, "part"),
+      Counted(score.num_moves_named, "part"),
+      Counted(score.num_invented, "false recognition"),
+      score.is_goal_reached ? "the goal is reached"
                             : "the goal is not reached");
 }
 
@@ -75,10 +77,10 @@ std::string TellExecuted(const EpisodeRecord& record,
       ++num[is_thread][1];
     }
   }
-  std::string text =
-      fmt::format("assembled {}/{} placements", num[0][0], num[0][1]);
+  std::string text = fmt::format("assembled {} of {}", num[0][0],
+                                 Counted(num[0][1], "placement"));
   if (num[1][1] > 0) {
-    text += fmt::format(", screwed {}/{}", num[1][0], num[1][1]);
+    text += fmt::format(", screwed {} of {}", num[1][0], num[1][1]);
   }
   if (score.is_complete()) return text + ": nothing is missing";
   return fmt::format(
@@ -106,11 +108,12 @@ void RunReport::Follow() {
     for (const std::string& line : narrator_.Tell(*message)) Say(line);
   }
   const double elapsed = progress_.ElapsedSeconds();
-  progress_.Show(
-      fmt::format("{:.1f} s simulated, {:.1f} x real time, {} "
-                  "actions seen",
-                  SimSeconds(tick_), SimSeconds(tick_) / elapsed,
-                  observer_.record().actions.size()));
+  progress_.Show(fmt::format(
+      "{:.1f} s simulated, {:.1f} x real time, {} "
+      "seen",
+      SimSeconds(tick_), SimSeconds(tick_) / elapsed,
+      Counted(static_cast<int64_t>(observer_.record().actions.size()),
+              "action")));
 }
 
 std::string RunReport::DrawPicture(const EpisodeRecord& record,
@@ -130,8 +133,8 @@ std::string RunReport::DrawPicture(const EpisodeRecord& record,
     least = body.name;
     least_pixels = num;
   }
-  return fmt::format("{} (least to be seen of {}: {} pixels)", path.string(),
-                     Printable(least), least_pixels);
+  return fmt::format("{} (smallest in it: {}, {})", path.string(),
+                     Printable(least), Counted(least_pixels, "pixel"));
 }
 
 void RunReport::Say(const std::string& line) {

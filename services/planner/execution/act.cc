@@ -80,9 +80,10 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
   const auto request = RequestToArm(action, context);
   if (!request) {
     return std::make_unique<Ask>(
-        state, ExecutionStatus{.state = ExecutionStatus::State::kStuck,
-                               .text = AskForStep(action, rules),
-                               .step = action});
+        state, ExecutionStatus{
+                   .state = ExecutionStatus::State::kStuck,
+                   .text = AskForStep(action, rules, context.params.requests),
+                   .step = action});
   }
   if (!IsSurelyPossible(rules, action, state)) {
     return std::make_unique<Undecided>(state);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <set>
 
+#include "common/relational/request_words.h"
 #include "services/planner/current_plan.h"
 #include "services/planner/dialogue.h"
 #include "services/planner/sensing.h"
@@ -20,6 +21,7 @@ struct ExecutionParams {
   bool parallel = true;  ///< hand a part over while another is inserted
   /// Steps that are left to a person, who is asked for them.
   std::set<GroundAction> help_steps = {};
+  RequestWords requests = {};  ///< how the person is asked
 };
 
 /// What the states of an execution work with.

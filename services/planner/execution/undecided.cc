@@ -12,13 +12,11 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
   const Plan& plan = context.plan.get();
   ExecutionStatus question{.state = ExecutionStatus::State::kStuck};
   if (plan.result == Plan::Result::kNoPlan) {
-    question.text =
-        AskForHelp(context.plan, state, context.dispatch.failures());
-    question.needed = plan.needed;
+    question = AskForHelp(context.plan, state, context.dispatch.failures(),
+                          context.params.requests);
   } else if (plan.result == Plan::Result::kFound) {
-    question.text = "it cannot be seen whether " +
-                    context.plan.rules().Show(plan.steps.at(0).action) +
-                    " is possible";
+    question.text = AskForView(plan.steps.at(0).action, context.plan.rules(),
+                               context.params.requests);
   } else {
     question.text = plan.reason;
   }

@@ -1,0 +1,112 @@
+#include "common/relational/request_words.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "common/text/nearest.h"
+
+namespace cell {
+namespace {
+
+/// What stands for argument `i`.
+std::string PlaceOf(size_t i) {
+  return "{" + std::to_string(i) + "}";
+}
+
+std::string Filled(std::string words, const std::vector<int>& objects,
+                   const Vocabulary& vocabulary) {
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const std::string place = PlaceOf(i);
+    const std::string& name = vocabulary.objects()[objects[i]].name;
+    for (size_t at = words.find(place); at != std::string::npos;
+         at = words.find(place, at + name.size())) {
+      words.replace(at, place.size(), name);
+    }
+  }
+  return words;
+}
+
+/// @throws ConfigError unless each brace belongs to the place of an argument.
+void CheckPlaces(const Config& config, std::string words,
+                 size_t num_arguments) {
+  std::string places;
+  for (size_t i = 0; i < num_arguments; ++i) {
+    const std::string place = PlaceOf(i);
+    places += (i == 0 ? "" : ", ") + place;
+    for (size_t at = words.find(place); at != std::string::npos;
+         at = words.find(place)) {
+      words.erase(at, place.size());
+    }
+  }
+  if (words.find_first_of("{}") == std::string::npos) return;
+  config.Fail(num_arguments == 0 ? "it has no arguments: no braces"
+                                 : "its arguments are " + places);
+}
+
+/// `num_arguments_of` a name: nothing if there is no such name.
+std::map<std::string, std::string> LoadTemplates(
+    const Config& section, const std::string& key, const char* what,
+    const std::vector<std::string>& names,
+    const std::function<size_t(size_t index)>& num_arguments_of) {
+  std::map<std::string, std::string> templates;
+  if (!section.Has(key)) return templates;
+  for (const auto& [name, node] : section[key].Entries()) {
+    const auto it = std::ranges::find(names, name);
+    if (it == names.end()) {
+      node.Fail(std::string("there is no ") + what + " of this name" +
+                NamesInstead(name, names));
+    }
+    const auto words = node.As<std::string>();
+    CheckPlaces(node, words,
+                num_arguments_of(static_cast<size_t>(it - names.begin())));
+    templates[name] = words;
+  }
+  return templates;
+}
+
+template <class Named>
+std::vector<std::string> NamesOf(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& named : all) names.push_back(named.name);
+  return names;
+}
+
+}  // namespace
+
+RequestWords RequestWords::FromConfig(const Config& config,
+                                      const Vocabulary& vocabulary,
+                                      const std::vector<Action>& actions) {
+  RequestWords words;
+  if (!config.Has("requests")) return words;
+  const Config section = config["requests"];
+  const auto predicates = NamesOf(vocabulary.predicates());
+  const auto arity = [&](size_t i) {
+    return vocabulary.predicates()[i].argument_types.size();
+  };
+  words.make_true_ =
+      LoadTemplates(section, "make_true", "predicate", predicates, arity);
+  words.make_false_ =
+      LoadTemplates(section, "make_false", "predicate", predicates, arity);
+  words.do_ =
+      LoadTemplates(section, "do", "action", NamesOf(actions),
+                    [&](size_t i) { return actions[i].arguments.size(); });
+  return words;
+}
+
+std::optional<std::string> RequestWords::ToMake(
+    const GroundAtom& atom, bool is_true, const Vocabulary& vocabulary) const {
+  const Templates& templates = is_true ? make_true_ : make_false_;
+  const auto it = templates.find(vocabulary.predicates()[atom.predicate].name);
+  if (it == templates.end()) return std::nullopt;
+  return Filled(it->second, atom.objects, vocabulary);
+}
+
+std::optional<std::string> RequestWords::ToDo(
+    const std::string& action, const std::vector<int>& objects,
+    const Vocabulary& vocabulary) const {
+  const auto it = do_.find(action);
+  if (it == do_.end()) return std::nullopt;
+  return Filled(it->second, objects, vocabulary);
+}
+
+}  // namespace cell
