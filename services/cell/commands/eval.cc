@@ -125,14 +125,6 @@ void Print(const std::vector<Figure>& figures) {
   }
 }
 
-/// Few trials do not show that a rate is as good as the goal: then it says so.
-std::string VerdictOf(const Measure& m) {
-  if (!m.is_met()) return "NOT MET";
-  if (m.interval().low >= m.goal) return "met";
-  return m.num_good == m.num_all ? "no failure, but few trials"
-                                 : "met, but few trials";
-}
-
 void Print(const std::vector<Measure>& measures) {
   std::cout << fmt::format("{:66} {:>9} {:>7}  {:15} {:>6} {:>5}\n", "measure",
                            "of", "value", "95 % interval", "paper", "goal");
@@ -143,7 +135,7 @@ void Print(const std::vector<Measure>& measures) {
         m.name, fmt::format("{}/{}", m.num_good, m.num_all), 100 * m.value(),
         100 * interval.low, 100 * interval.high,
         m.paper ? fmt::format("{:.0f} %", 100 * *m.paper) : "-", 100 * m.goal,
-        VerdictOf(m));
+        m.verdict());
   }
 }
 

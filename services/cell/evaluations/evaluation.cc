@@ -8,6 +8,13 @@
 
 namespace cell::cli {
 
+std::string Measure::verdict() const {
+  if (!is_met()) return "NOT MET";
+  if (interval().low >= goal) return "met";
+  return num_good == num_all ? "no failure, but few trials"
+                             : "met, but few trials";
+}
+
 void AddTrials(const std::string& group, int num, uint64_t seed,
                std::vector<Trial>* trials) {
   for (int i = 0; i < num; ++i) {

@@ -24,6 +24,9 @@ struct Measure {
   double value() const { return num_all > 0 ? 1.0 * num_good / num_all : 0; }
   Interval interval() const { return WilsonInterval(num_good, num_all); }
   bool is_met() const { return num_all > 0 && value() >= goal; }
+  /// "met" only where the interval says so, too: few trials do not show that a
+  /// rate is as good as the goal.
+  std::string verdict() const;
 };
 
 /// A number that an evaluation reports beside its measures.
