@@ -2,6 +2,17 @@
 # strings of any length. This step puts a check before each: a count lies in
 # [0, bytes left], a string has at least its final NUL and none inside. It
 # fails the build when lcm-gen's output has a shape it does not know.
+# What is as it was is not written again: nothing is compiled for it.
+function(write_if_new path text)
+  if(EXISTS ${path})
+    file(READ ${path} old)
+    if("${old}" STREQUAL "${text}")
+      return()
+    endif()
+  endif()
+  file(WRITE ${path} "${text}")
+endfunction()
+
 file(GLOB raw_headers ${RAW}/*.hpp)
 foreach(header ${raw_headers})
   file(READ ${header} text)
@@ -27,7 +38,7 @@ foreach(header ${raw_headers})
     text "${text}")
   string(REPLACE "#include <lcm/lcm_coretypes.h>"
     "#include <lcm/lcm_coretypes.h>\n#include <string.h>" text "${text}")
-  file(WRITE ${OUT}/${name} "${text}")
+  write_if_new(${OUT}/${name} "${text}")
 endforeach()
 
 file(GLOB lcm_files ${TYPES}/*.lcm)
@@ -42,7 +53,7 @@ foreach(file ${lcm_files})
 endforeach()
 string(SHA256 digest "${all}")
 string(SUBSTRING ${digest} 0 15 digest)
-file(WRITE ${OUT}/types_digest.h
+write_if_new(${OUT}/types_digest.h
   "#pragma once\n#include <cstdint>\nnamespace cell {\n/// Digest of the texts of all message types.\ninline constexpr int64_t kTypesDigest = 0x${digest};\n}  // namespace cell\n")
-file(WRITE ${OUT}/type_texts.h
+write_if_new(${OUT}/type_texts.h
   "#pragma once\n#include <string_view>\nnamespace cell {\nstruct TypeText {\n  std::string_view file;\n  std::string_view text;\n};\n/// The texts of all message types, by file.\ninline constexpr TypeText kTypeTexts[] = {\n${texts}};\n}  // namespace cell\n")

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/sec/same_pair_similarity.h"
+#include "common/sec/same_row_similarity.h"
 
 namespace cell {
 namespace {
@@ -164,6 +165,15 @@ TEST(SamePairSimilarity, CountsRowsThatOnlyOneOfThemHas) {
   EXPECT_DOUBLE_EQ(similarity.Between(chain.RowsOf("hand").RowsOf("table"),
                                       chain.RowsOf("peg").RowsOf("table")),
                    0);
+}
+
+TEST(SameRowSimilarity, DoesNotCountHowLongARelationLasts) {
+  const SameRowSimilarity similarity;
+  EventChain slow = PickAndPlace();
+  slow.Append(Column(kApart, kTouch));
+  EXPECT_DOUBLE_EQ(similarity.Between(slow, PickAndPlace()), 1);
+  std::mt19937_64 random(1);
+  EXPECT_LT(similarity.Between(Random(random, 9), PickAndPlace()), 1);
 }
 
 TEST(SamePairSimilarity, TakesEmptyChainsAsAlike) {

@@ -337,5 +337,18 @@ TEST_F(MotionCheckTest, WhatDoesNotDecodeIsPassedOver) {
   EXPECT_THAT(check_.violations(), IsEmpty());
 }
 
+TEST_F(MotionCheckTest, SaysWhatItHasNotSeen) {
+  EXPECT_THAT(check_.Gaps(),
+              ElementsAre("ARM_STATE_LEFT: the log holds no message",
+                          "ARM_STATE_RIGHT: the log holds no message",
+                          "TRUTH_POSES: the log holds no message"));
+  PutState("left");
+  check_.Put({"ARM_STATE_LEFT", 1, 0, 0, 0,
+              std::make_shared<Bytes>(Bytes(40, uint8_t{7}))});
+  EXPECT_THAT(check_.Gaps()[0],
+              "ARM_STATE_LEFT: 1 of 2 messages are damaged or of another type "
+              "than this program's");
+}
+
 }  // namespace
 }  // namespace cell

@@ -11,9 +11,9 @@
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/run_log.h"
+#include "common/sec/chain_similarities.h"
 #include "common/sec/event_chain.h"
 #include "common/sec/key_frame.h"
-#include "common/sec/same_pair_similarity.h"
 #include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
@@ -26,6 +26,7 @@ struct ChainOptions {
   std::string run;
   std::string object;
   std::string other;
+  std::string measure = "same_pair";
 };
 
 bool IsStart(const Message& message) {
@@ -83,11 +84,11 @@ int ShowChains(const ChainOptions& options) {
 int CompareChains(const ChainOptions& options) {
   const auto ours = ChainsOf(RunFolder::Open(options.run));
   const auto others = ChainsOf(RunFolder::Open(options.other));
-  const SamePairSimilarity similarity;
+  const auto similarity = MakeChainSimilarity(options.measure);
   for (size_t i = 0; i < std::min(ours.size(), others.size()); ++i) {
     std::cout << fmt::format("episode {}: similarity {:.3f}\n", i + 1,
-                             similarity.Between(Chosen(ours[i], options),
-                                                Chosen(others[i], options)));
+                             similarity->Between(Chosen(ours[i], options),
+                                                 Chosen(others[i], options)));
   }
   return 0;
 }
@@ -107,6 +108,9 @@ void AddChain(CLI::App& app, Action* action) {
                       "only rows of this part or hand");
   command->add_option("--with", options->other,
                       "another run folder: how similar are their chains?");
+  command->add_option("--measure", options->measure, "of how alike they are")
+      ->check(CLI::IsMember(ChainSimilarityNames()))
+      ->capture_default_str();
   command->callback([=] {
     *action = [=] {
       return options->other.empty() ? ShowChains(*options)

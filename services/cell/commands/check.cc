@@ -10,6 +10,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/run_log.h"
 #include "common/task/task.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/motion/motion_check.h"
@@ -39,10 +40,16 @@ int RunCheck(const std::string& path) {
                              Printable(violation.arm), NameOf(violation.kind),
                              Printable(violation.what));
   }
-  std::cout << fmt::format("{} violations, {} protective stops in {} ticks\n",
-                           check.violations().size(),
-                           check.num_protective_stops(), log.ticks().size());
-  return check.violations().empty() ? 0 : 1;
+  std::cout << fmt::format(
+      "{}, {} in {}\n",
+      Counted(static_cast<int64_t>(check.violations().size()), "violation"),
+      Counted(check.num_protective_stops(), "protective stop"),
+      Counted(static_cast<int64_t>(log.ticks().size()), "tick"));
+  const std::vector<std::string> gaps = check.Gaps();
+  for (const std::string& gap : gaps) {
+    std::cerr << "not checked: " << Printable(gap) << "\n";
+  }
+  return check.violations().empty() && gaps.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
+#include "common/text/counted.h"
 
 namespace cell::cli {
 
@@ -17,36 +18,53 @@ MotionCheck::MotionCheck(const CellLayout& layout, const PartTable& parts)
     limits_.emplace(arm.name, LimitCheck(arm));
     activities_[arm.name];
     const std::string suffix = ChannelSuffix(arm.name);
-    handlers_["ARM_STATE_" + suffix] = [this, arm = arm.name](const auto& m) {
-      OnState(arm, m);
-    };
-    handlers_["ARM_SETPOINT_" + suffix] = [this,
-                                           arm = arm.name](const auto& m) {
-      OnSetpoint(arm, m);
-    };
-    handlers_["ARM_REPORT_" + suffix] = [this, arm = arm.name](const auto& m) {
-      OnReport(arm, m);
-    };
+    channels_["ARM_STATE_" + suffix] = {
+        [this, arm = arm.name](const auto& m) { return OnState(arm, m); },
+        true};
+    channels_["ARM_SETPOINT_" + suffix] = {
+        [this, arm = arm.name](const auto& m) {
+          return OnSetpoint(arm, m);
+        }};
+    channels_["ARM_REPORT_" + suffix] = {[this, arm = arm.name](const auto& m) {
+      return OnReport(arm, m);
+    }};
   }
-  handlers_["SKILL_REQUEST"] = [this](const auto& m) {
-    OnRequest(m);
-  };
-  handlers_["TRUTH_POSES"] = [this](const auto& m) {
-    OnPoses(m);
-  };
-  handlers_["EPISODE"] = [this](const auto& m) {
-    OnEpisode(m);
-  };
+  channels_["SKILL_REQUEST"] = {[this](const auto& m) {
+    return OnRequest(m);
+  }};
+  channels_["TRUTH_POSES"] = {[this](const auto& m) { return OnPoses(m); },
+                              true};
+  channels_["EPISODE"] = {[this](const auto& m) {
+    return OnEpisode(m);
+  }};
 }
 
 void MotionCheck::Put(const Message& message) {
-  const auto handler = handlers_.find(message.channel);
-  if (handler != handlers_.end()) handler->second(message);
+  const auto it = channels_.find(message.channel);
+  if (it == channels_.end()) return;
+  Channel& channel = it->second;
+  ++channel.num_messages;
+  if (!channel.handler(message)) ++channel.num_unreadable;
 }
 
-void MotionCheck::OnState(const std::string& arm, const Message& message) {
+std::vector<std::string> MotionCheck::Gaps() const {
+  std::vector<std::string> gaps;
+  for (const auto& [name, channel] : channels_) {
+    if (channel.num_unreadable > 0) {
+      gaps.push_back(fmt::format(
+          "{}: {} of {} are damaged or of another type than this program's",
+          name, channel.num_unreadable,
+          Counted(channel.num_messages, "message")));
+    } else if (channel.is_needed && channel.num_messages == 0) {
+      gaps.push_back(name + ": the log holds no message");
+    }
+  }
+  return gaps;
+}
+
+bool MotionCheck::OnState(const std::string& arm, const Message& message) {
   const auto state = Decode<arm_state_t>(message);
-  if (!state) return;
+  if (!state) return false;
   constexpr double kStill = 0.01;  // [rad/s]
   is_moving_[arm] = !std::ranges::all_of(state->velocity, [](double velocity) {
     return std::abs(velocity) < kStill;
@@ -54,46 +72,52 @@ void MotionCheck::OnState(const std::string& arm, const Message& message) {
   for (auto& breach : limits_.at(arm).Take(*state)) {
     Add(arm, message.tick, std::move(breach));
   }
+  return true;
 }
 
-void MotionCheck::OnSetpoint(const std::string& arm, const Message& message) {
+bool MotionCheck::OnSetpoint(const std::string& arm, const Message& message) {
   const auto setpoint = Decode<arm_setpoint_t>(message);
-  if (!setpoint) return;
+  if (!setpoint) return false;
   for (auto& breach : limits_.at(arm).Take(*setpoint)) {
     Add(arm, message.tick, std::move(breach));
   }
+  return true;
 }
 
-void MotionCheck::OnReport(const std::string& arm, const Message& message) {
-  if (const auto report = Decode<arm_report_t>(message)) {
-    activities_.at(arm).Take(*report);
-  }
+bool MotionCheck::OnReport(const std::string& arm, const Message& message) {
+  const auto report = Decode<arm_report_t>(message);
+  if (report) activities_.at(arm).Take(*report);
+  return report.has_value();
 }
 
-void MotionCheck::OnRequest(const Message& message) {
+bool MotionCheck::OnRequest(const Message& message) {
   const auto request = Decode<skill_request_t>(message);
-  if (!request) return;
+  if (!request) return false;
   const auto activity = activities_.find(request->arm);
   if (activity != activities_.end()) activity->second.Take(*request);
+  return true;
 }
 
-void MotionCheck::OnPoses(const Message& message) {
+bool MotionCheck::OnPoses(const Message& message) {
   const auto poses = Decode<truth_poses_t>(message);
-  if (!poses) return;
+  if (!poses) return false;
   for (const auto& touch : collisions_.Look(*poses, activities_)) {
     if (touch.is_by_person && !is_moving_[touch.arm]) continue;
     Add(touch.arm, message.tick,
         {Violation::Kind::kCollision, touch.first,
          fmt::format("touches {}", touch.second)});
   }
+  return true;
 }
 
 /// Everything is put back to where it begins.
-void MotionCheck::OnEpisode(const Message& message) {
+bool MotionCheck::OnEpisode(const Message& message) {
   const auto episode = Decode<episode_t>(message);
-  if (!episode || episode->phase != episode_t::START) return;
+  if (!episode) return false;
+  if (episode->phase != episode_t::START) return true;
   for (auto& [arm, limits] : limits_) limits.Restart();
   for (auto& [arm, activity] : activities_) activity = {};
+  return true;
 }
 
 void MotionCheck::Add(const std::string& arm, int32_t tick,

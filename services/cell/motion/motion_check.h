@@ -29,23 +29,34 @@ class MotionCheck {
   MotionCheck& operator=(const MotionCheck&) = delete;
 
   /// Messages as they were published: in each tick the clock's, then the
-  /// services'. Those that do not decode are passed over.
+  /// services'. Those that do not decode are counted.
   void Put(const Message& message);
 
   /// As they were found; each pair of bodies, or each joint, once a skill.
   const std::vector<Violation>& violations() const { return violations_; }
   int num_protective_stops() const;
+  /// Why the violations may not be all there are, e.g. "ARM_STATE_LEFT: 3 of 5
+  /// messages are damaged or of another type than this program's"; empty if
+  /// everything was seen.
+  std::vector<std::string> Gaps() const;
 
  private:
-  void OnState(const std::string& arm, const Message& message);
-  void OnSetpoint(const std::string& arm, const Message& message);
-  void OnReport(const std::string& arm, const Message& message);
-  void OnRequest(const Message& message);
-  void OnPoses(const Message& message);
-  void OnEpisode(const Message& message);
+  struct Channel {
+    std::function<bool(const Message&)> handler;  // false: does not decode
+    bool is_needed = false;
+    int num_messages = 0;
+    int num_unreadable = 0;
+  };
+
+  bool OnState(const std::string& arm, const Message& message);
+  bool OnSetpoint(const std::string& arm, const Message& message);
+  bool OnReport(const std::string& arm, const Message& message);
+  bool OnRequest(const Message& message);
+  bool OnPoses(const Message& message);
+  bool OnEpisode(const Message& message);
   void Add(const std::string& arm, int32_t tick, LimitCheck::Breach breach);
 
-  std::map<std::string, std::function<void(const Message&)>> handlers_;
+  std::map<std::string, Channel> channels_;
   std::map<std::string, LimitCheck> limits_;       // by arm
   std::map<std::string, ArmActivity> activities_;  // by arm
   std::map<std::string, bool> is_moving_;          // by arm
