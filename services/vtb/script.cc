@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "common/text/nearest.h"
+
 namespace cell::vtb {
 namespace {
 
@@ -205,6 +207,21 @@ void CheckScript(const Config& config, const Script& script,
   if (script.too_early) check("too_early", *script.too_early);
 }
 
+std::vector<std::string> LoadDefault(const Config& config,
+                                     const DemonstratorBook& book) {
+  std::vector<std::string> names, known;
+  for (const auto& [script, entry] : book.scripts) known.push_back(script);
+  for (const Config& item : config.Items()) {
+    names.push_back(item.As<std::string>());
+    if (!book.scripts.contains(names.back())) {
+      item.Fail("no script is named '" + names.back() + "'" +
+                NamesInstead(names.back(), known));
+    }
+  }
+  if (names.empty()) config.Fail("names no script");
+  return names;
+}
+
 }  // namespace
 
 DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
@@ -221,6 +238,7 @@ DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
     CheckScript(entry, script, book, table);
     book.scripts.emplace(name, script);
   }
+  book.default_episodes = LoadDefault(config["default"], book);
   config.Finish();
   return book;
 }

@@ -83,6 +83,8 @@ struct Manner {
 
 struct DemonstratorBook {
   std::string goal;  ///< of the task's domain, that the persons work for
+  /// Scripts of a run that is told none, an episode each.
+  std::vector<std::string> default_episodes;
   Manner manner;
   std::map<std::string, PlacementRule> rules;
   std::map<std::string, Script> scripts;

@@ -17,7 +17,6 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/geometry/pose.h"
 #include "common/task/task.h"
-#include "common/text/nearest.h"
 
 namespace cell::vtb {
 namespace {
@@ -362,19 +361,10 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   }
   params.truth_period_ticks = config.Integer("truth_period_ticks", 1, 1250);
   LoadArms(config["arms"], &params.arms);
-  const auto configured = config.Get<std::string>("demonstration");
-  for (const std::string& name : SplitAtPlus(configured)) {
-    if (params.book.scripts.contains(name)) continue;
-    std::vector<std::string> names;
-    for (const auto& [script, entry] : params.book.scripts) {
-      names.push_back(script);
-    }
-    config["demonstration"].Fail("no script is named '" + name + "'" +
-                                 NamesInstead(name, names));
-  }
   // Every episode has its own chance.
-  for (const std::string& name :
-       SplitAtPlus(demonstration.empty() ? configured : demonstration)) {
+  for (const std::string& name : demonstration.empty()
+                                     ? params.book.default_episodes
+                                     : SplitAtPlus(demonstration)) {
     params.episodes.push_back({name, seed + params.episodes.size()});
   }
   config.Finish();

@@ -52,6 +52,9 @@ TEST(DemonstratorBook, RefusesWhatItDoesNotKnowByFileAndKey) {
               StartsWith("book.yaml:placements.shaft.site"));
   EXPECT_THAT(ErrorOf("place: [round_pegs]", "place: [head]"),
               StartsWith("book.yaml:scripts.two_pegs.place"));
+  EXPECT_THAT(ErrorOf("[assembly, execution]", "[assembly, excution]"),
+              testing::AllOf(StartsWith("book.yaml:default[1]"),
+                             testing::HasSubstr("did you mean 'execution'?")));
 }
 
 }  // namespace
