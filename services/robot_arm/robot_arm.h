@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
 #include "services/robot_arm/arm_worker.h"
@@ -48,6 +48,7 @@ class RobotArm final : public Service {
   bool OnWrench(const wrench_t& message);
   bool OnPermit(const motion_permit_t& message);
   bool OnTracks(const tracks_t& message);
+  bool IsPersonsHand(const std::string& name) const;
   bool OnRequest(const skill_request_t& message);
   bool OnPlan(const motion_plan_t& message);
   void OnTick();
@@ -57,10 +58,10 @@ class RobotArm final : public Service {
   ArmWorker::MotionPermission Permission() const;
 
   Bus& bus_;
+  InputAlerts alerts_;
   Params params_;
   std::string name_, suffix_;
   std::vector<skill_traits_t> skills_;
-  std::set<std::string> persons_hands_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
