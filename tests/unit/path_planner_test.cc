@@ -7,6 +7,7 @@
 
 #include "common/arms/reach.h"
 #include "common/arms/straight_line.h"
+#include "common/kinematics/arm_models.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -24,35 +25,37 @@ std::optional<std::string> Wall(const Joints& q) {
   return std::nullopt;
 }
 
+const PathPlannerParams kParams(*FindArmModel("ur5"));
+
 void ExpectFree(const JointPath& path, const WhyBlockedAt& why_blocked) {
   for (size_t i = 1; i < path.waypoints.size(); ++i) {
-    EXPECT_EQ(
-        WhyEdgeBlocked(path.waypoints[i - 1], path.waypoints[i], why_blocked),
-        std::nullopt);
+    EXPECT_EQ(WhyEdgeBlocked(path.waypoints[i - 1], path.waypoints[i],
+                             why_blocked, kParams),
+              std::nullopt);
   }
 }
 
 TEST(PathPlanner, GoesStraightWhereItCan) {
-  const JointPath path = PlanPath(At(-1, 1), {At(1, 1)}, {}, Wall);
+  const JointPath path = PlanPath(At(-1, 1), {At(1, 1)}, {}, Wall, kParams);
   EXPECT_THAT(path.waypoints, testing::ElementsAre(At(-1, 1), At(1, 1)));
 }
 
 TEST(PathPlanner, TakesTheBestGoalThatIsFree) {
   const JointPath path =
-      PlanPath(At(-1, 0), {At(0, 0), At(1, 0), At(-0.5, 0)}, {}, Wall);
+      PlanPath(At(-1, 0), {At(0, 0), At(1, 0), At(-0.5, 0)}, {}, Wall, kParams);
   EXPECT_EQ(path.goal, 2u);
   EXPECT_EQ(path.waypoints.back(), At(-0.5, 0));
 }
 
 TEST(PathPlanner, TakesAViaIfTheStraightWayIsBlocked) {
   const JointPath path =
-      PlanPath(At(-1, 0), {At(1, 0)}, {At(0, 0.3), At(0, 1.2)}, Wall);
+      PlanPath(At(-1, 0), {At(1, 0)}, {At(0, 0.3), At(0, 1.2)}, Wall, kParams);
   EXPECT_THAT(path.waypoints,
               testing::ElementsAre(At(-1, 0), At(0, 1.2), At(1, 0)));
 }
 
 TEST(PathPlanner, FindsTheGapAndStopsSeldom) {
-  const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall);
+  const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall, kParams);
   ASSERT_TRUE(path) << path.reason;
   EXPECT_EQ(path.waypoints.front(), At(-1, 0));
   EXPECT_EQ(path.waypoints.back(), At(1, 0));
@@ -61,7 +64,7 @@ TEST(PathPlanner, FindsTheGapAndStopsSeldom) {
 }
 
 TEST(PathPlanner, IsAFunctionOfItsSeed) {
-  PathPlannerParams params;
+  PathPlannerParams params = kParams;
   const auto plan = [&] {
     return PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall, params).waypoints;
   };
@@ -72,15 +75,15 @@ TEST(PathPlanner, IsAFunctionOfItsSeed) {
 }
 
 TEST(PathPlanner, SaysWhatIsInTheWay) {
-  EXPECT_EQ(PlanPath(At(0, 0), {At(1, 0)}, {}, Wall).reason,
+  EXPECT_EQ(PlanPath(At(0, 0), {At(1, 0)}, {}, Wall, kParams).reason,
             "where it stands, it would hit the wall");
-  EXPECT_EQ(PlanPath(At(1, 0), {At(0, 0)}, {}, Wall).reason,
+  EXPECT_EQ(PlanPath(At(1, 0), {At(0, 0)}, {}, Wall, kParams).reason,
             "at the goal, it would hit the wall");
   const auto endless = [](const Joints& q) -> std::optional<std::string> {
     if (std::abs(q[0]) < 0.1) return "it would hit the wall";
     return std::nullopt;
   };
-  PathPlannerParams params;
+  PathPlannerParams params = kParams;
   params.max_iterations = 100;
   const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, endless, params);
   EXPECT_FALSE(path);
@@ -108,7 +111,7 @@ TEST(PathPlanner, CarriesAPartOverOthersInTheCell) {
   const WhyBlockedAt why_blocked = AskScene(
       scene, "right", {arm.home, grasp.grip, grasp.width}, {0.010, {}});
   const JointPath path =
-      PlanPath(grasp.q_approach, {place.q_approach}, {}, why_blocked);
+      PlanPath(grasp.q_approach, {place.q_approach}, {}, why_blocked, kParams);
   ASSERT_TRUE(path) << path.reason;
   ExpectFree(path, why_blocked);
 }
