@@ -59,6 +59,11 @@ bool IsSame(const arm_report_t& a, const arm_report_t& b) {
          a.reachable == b.reachable;
 }
 
+bool IsPersonsHand(const CellLayout& layout, const std::string& name) {
+  return std::ranges::find(layout.hands, name, &CellLayout::Hand::name) !=
+         layout.hands.end();
+}
+
 std::vector<skill_traits_t> TraitsOf(const ArmLayout& arm) {
   std::vector<skill_traits_t> skills;
   for (const Skill* skill : SkillsOf(arm.X_FS.has_value())) {
@@ -73,12 +78,11 @@ std::vector<skill_traits_t> TraitsOf(const ArmLayout& arm) {
 
 RobotArm::RobotArm(Bus& bus, const Params& params)
     : bus_(bus),
-      alerts_(bus),
       params_(params),
       name_(params.worker.arm),
-      suffix_(ChannelSuffix(name_)),
       skills_(TraitsOf(*params.worker.layout.FindArm(name_))),
-      worker_(std::make_unique<ArmWorker>(params_.worker)) {
+      worker_(std::make_unique<ArmWorker>(params_.worker)),
+      alerts_(bus) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const auto& m) { return OnEpisode(m); });
   bus.Subscribe<motion_permit_t>(
@@ -97,13 +101,13 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
         },
         1);
     if (arm.name == name_) {
-      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + suffix_,
+      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + ChannelSuffix(name_),
                                  [this](const auto& m) { return OnStop(m); });
     }
     if (arm.name == name_ && arm.X_FS) {
       bus.Subscribe<wrench_t>(
-          "WRENCH_" + suffix_, [this](const auto& m) { return OnWrench(m); },
-          1);
+          "WRENCH_" + ChannelSuffix(name_),
+          [this](const auto& m) { return OnWrench(m); }, 1);
     }
   }
   bus.Every(1, 0, [this] { OnTick(); });
@@ -127,7 +131,8 @@ const ArmModel& RobotArm::ModelOf(const std::string& arm) const {
 bool RobotArm::OnState(const arm_state_t& message) {
   auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) {
-    return alerts_.Reject("ARM_STATE_" + suffix_, reading.reason());
+    return alerts_.Reject("ARM_STATE_" + ChannelSuffix(name_),
+                          reading.reason());
   }
   reading_ = *std::move(reading);
   if (!reading_->is_stopped) why_stopped_ = "its device has not said why";
@@ -181,18 +186,13 @@ bool RobotArm::OnTracks(const tracks_t& message) {
     if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
       poses.emplace(track.name, track.X_WO);
     }
-    if (IsPersonsHand(track.name)) {
+    if (IsPersonsHand(params_.worker.layout, track.name)) {
       hands.insert(hands.end(), track.points.begin(), track.points.end());
     }
   }
   worker_->UpdateParts(poses);
   worker_->UpdateHands(std::move(hands));
   return true;
-}
-
-bool RobotArm::IsPersonsHand(const std::string& name) const {
-  const auto& hands = params_.worker.layout.hands;
-  return std::ranges::find(hands, name, &CellLayout::Hand::name) != hands.end();
 }
 
 bool RobotArm::OnRequest(const skill_request_t& message) {
@@ -265,7 +265,7 @@ void RobotArm::PublishSetpoint(const ArmCommand& command) {
   const bool is_held = Permission() == ArmWorker::MotionPermission::kFreeze;
   message.clear_stop = reading_->is_stopped && was_held_ && !is_held;
   if (is_held || !reading_->is_stopped) was_held_ = is_held;
-  bus_.Publish("ARM_SETPOINT_" + suffix_, message);
+  bus_.Publish("ARM_SETPOINT_" + ChannelSuffix(name_), message);
 }
 
 void RobotArm::PublishResult(const SkillResult& result) {
@@ -295,7 +295,7 @@ void RobotArm::PublishReport() {
   report.num_skills = static_cast<int32_t>(report.skills.size());
   if (bus_.tick() % kReportPeriod != 0 && IsSame(report, last_report_)) return;
   last_report_ = report;
-  bus_.Publish("ARM_REPORT_" + suffix_, report);
+  bus_.Publish("ARM_REPORT_" + ChannelSuffix(name_), report);
 }
 
 std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,

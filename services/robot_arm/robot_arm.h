@@ -48,7 +48,6 @@ class RobotArm final : public Service {
   bool OnWrench(const wrench_t& message);
   bool OnPermit(const motion_permit_t& message);
   bool OnTracks(const tracks_t& message);
-  bool IsPersonsHand(const std::string& name) const;
   bool OnRequest(const skill_request_t& message);
   bool OnPlan(const motion_plan_t& message);
   void OnTick();
@@ -58,9 +57,8 @@ class RobotArm final : public Service {
   ArmWorker::MotionPermission Permission() const;
 
   Bus& bus_;
-  InputAlerts alerts_;
   Params params_;
-  std::string name_, suffix_;
+  std::string name_;
   std::vector<skill_traits_t> skills_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
@@ -71,6 +69,7 @@ class RobotArm final : public Service {
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor
   arm_report_t last_report_{};
+  InputAlerts alerts_;
 };
 
 /// The arm `instance` of the task's cell.yaml.

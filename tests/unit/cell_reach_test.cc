@@ -47,6 +47,13 @@ struct Placing {
   PlaceChoice place;
 };
 
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked) {
+  return cell::PlanPath(start, goals, vias, why_blocked,
+                        PathPlannerParams(*FindArmModel("ur5")));
+}
+
 class CellReach : public testing::Test {
  protected:
   const ArmLayout& Arm(const std::string& name) const {
@@ -194,10 +201,9 @@ TEST_F(CellReach, WhatIsTakenFromTheTableFindsItsWayToTheSite) {
       EXPECT_TRUE(is_same_branch) << part;
       const auto way = [&](const Joints& from, const Joints& to,
                            double opening) {
-        const JointPath path =
-            PlanPath(from, {to}, {arm.home},
-                     AskScene(scene, arm.name, {from, grasp.grip, opening}, {}),
-                     PathPlannerParams(*arm.model));
+        const JointPath path = PlanPath(
+            from, {to}, {arm.home},
+            AskScene(scene, arm.name, {from, grasp.grip, opening}, {}));
         EXPECT_TRUE(path) << part << ": " << path.reason;
       };
       way(arm.home, grasp.q_approach, grasp.opening);

@@ -25,37 +25,48 @@ std::optional<std::string> Wall(const Joints& q) {
   return std::nullopt;
 }
 
+// Of an arm of the shipped cell.
 const PathPlannerParams kParams(*FindArmModel("ur5"));
+
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked) {
+  return cell::PlanPath(start, goals, vias, why_blocked, kParams);
+}
+std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
+                                          const WhyBlockedAt& why_blocked) {
+  return cell::WhyEdgeBlocked(a, b, why_blocked, kParams);
+}
 
 void ExpectFree(const JointPath& path, const WhyBlockedAt& why_blocked) {
   for (size_t i = 1; i < path.waypoints.size(); ++i) {
-    EXPECT_EQ(WhyEdgeBlocked(path.waypoints[i - 1], path.waypoints[i],
-                             why_blocked, kParams),
-              std::nullopt);
+    EXPECT_EQ(
+        WhyEdgeBlocked(path.waypoints[i - 1], path.waypoints[i], why_blocked),
+        std::nullopt);
   }
 }
 
 TEST(PathPlanner, GoesStraightWhereItCan) {
-  const JointPath path = PlanPath(At(-1, 1), {At(1, 1)}, {}, Wall, kParams);
+  const JointPath path = PlanPath(At(-1, 1), {At(1, 1)}, {}, Wall);
   EXPECT_THAT(path.waypoints, testing::ElementsAre(At(-1, 1), At(1, 1)));
 }
 
 TEST(PathPlanner, TakesTheBestGoalThatIsFree) {
   const JointPath path =
-      PlanPath(At(-1, 0), {At(0, 0), At(1, 0), At(-0.5, 0)}, {}, Wall, kParams);
+      PlanPath(At(-1, 0), {At(0, 0), At(1, 0), At(-0.5, 0)}, {}, Wall);
   EXPECT_EQ(path.goal, 2u);
   EXPECT_EQ(path.waypoints.back(), At(-0.5, 0));
 }
 
 TEST(PathPlanner, TakesAViaIfTheStraightWayIsBlocked) {
   const JointPath path =
-      PlanPath(At(-1, 0), {At(1, 0)}, {At(0, 0.3), At(0, 1.2)}, Wall, kParams);
+      PlanPath(At(-1, 0), {At(1, 0)}, {At(0, 0.3), At(0, 1.2)}, Wall);
   EXPECT_THAT(path.waypoints,
               testing::ElementsAre(At(-1, 0), At(0, 1.2), At(1, 0)));
 }
 
 TEST(PathPlanner, FindsTheGapAndStopsSeldom) {
-  const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall, kParams);
+  const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall);
   ASSERT_TRUE(path) << path.reason;
   EXPECT_EQ(path.waypoints.front(), At(-1, 0));
   EXPECT_EQ(path.waypoints.back(), At(1, 0));
@@ -75,9 +86,9 @@ TEST(PathPlanner, IsAFunctionOfItsSeed) {
 }
 
 TEST(PathPlanner, SaysWhatIsInTheWay) {
-  EXPECT_EQ(PlanPath(At(0, 0), {At(1, 0)}, {}, Wall, kParams).reason,
+  EXPECT_EQ(PlanPath(At(0, 0), {At(1, 0)}, {}, Wall).reason,
             "where it stands, it would hit the wall");
-  EXPECT_EQ(PlanPath(At(1, 0), {At(0, 0)}, {}, Wall, kParams).reason,
+  EXPECT_EQ(PlanPath(At(1, 0), {At(0, 0)}, {}, Wall).reason,
             "at the goal, it would hit the wall");
   const auto endless = [](const Joints& q) -> std::optional<std::string> {
     if (std::abs(q[0]) < 0.1) return "it would hit the wall";
@@ -111,7 +122,7 @@ TEST(PathPlanner, CarriesAPartOverOthersInTheCell) {
   const WhyBlockedAt why_blocked = AskScene(
       scene, "right", {arm.home, grasp.grip, grasp.width}, {0.010, {}});
   const JointPath path =
-      PlanPath(grasp.q_approach, {place.q_approach}, {}, why_blocked, kParams);
+      PlanPath(grasp.q_approach, {place.q_approach}, {}, why_blocked);
   ASSERT_TRUE(path) << path.reason;
   ExpectFree(path, why_blocked);
 }
