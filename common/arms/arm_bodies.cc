@@ -12,7 +12,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kHalfPlinth = 0.08;  // [m] of its square
+constexpr double kPlinthRim = 0.005;  // [m] around the arm's foot
 constexpr std::array<double, 3> kPlinthColour = {0.20, 0.21, 0.23};
 constexpr std::array<double, 3> kLinkColour = {0.62, 0.65, 0.69};
 constexpr std::array<double, 3> kJointColour = {0.25, 0.42, 0.58};
@@ -43,10 +43,11 @@ ArmPosture HomePosture(const ArmLayout& arm) {
 std::vector<Part> BodyPartsOf(const ArmLayout& arm) {
   const std::string prefix = "arm_" + arm.name + ".";
   const double half_height = arm.X_WB.translation().z() / 2;
+  const double half_plinth = arm.model->bodies().base_radius + kPlinthRim;
   std::vector<Part> parts;
   parts.push_back(
       Body(prefix + "plinth",
-           {Box({kHalfPlinth, kHalfPlinth, std::max(half_height, 1e-3)})},
+           {Box({half_plinth, half_plinth, std::max(half_height, 1e-3)})},
            kPlinthColour));
   parts.push_back(Body(prefix + "base", arm.model->bodies().base, kLinkColour));
   int index = 0;

@@ -27,15 +27,12 @@ std::optional<std::string> WhyArmImpossible(const ArmLayout& arm,
       return key + ".exchange: reaches out of the arm's workspace";
     }
   }
-  if (!arm.model->IsWithinLimits(arm.home)) {
-    return key + ".home_deg: beyond the joint limits";
-  }
   if (const auto why =
           scene.WhyBlocked(arm.name, HomePosture(arm), {kHomeClearance, {}})) {
-    return fmt::format("{}.home_deg: {}", key, *why);
+    return fmt::format("{}.home: {}", key, *why);
   }
   if (!arm.workspace.contains(GripperPose(arm, arm.home).translation())) {
-    return key + ".home_deg: the gripper is outside the arm's workspace";
+    return key + ".home: the gripper is outside the arm's workspace";
   }
   return std::nullopt;
 }

@@ -9,7 +9,7 @@
 namespace cell {
 
 /// Why a cell of these arms cannot be: "key: reason" with the key of cell.yaml,
-/// e.g. "arms.left.home_deg: arm_left.link_3 would hit arm_right.link_5".
+/// e.g. "arms.left.home: arm_left.link_3 would hit arm_right.link_5".
 /// Nothing if it can: bases upright and above the table; tools within the
 /// payload; homes within joint limits, clear of each other, of the table, the
 /// pedestal and the fixed parts; homes and exchanges within the workspace.

@@ -23,12 +23,6 @@ bool IsLength(double value) {
   return value >= 0 && value <= kMaxLength;
 }
 
-std::optional<Joints> JointsOf(const std::vector<double>& values,
-                               const ArmModel& model) {
-  const auto q = JointsFromMessage(values);
-  return q && model.IsWithinLimits(*q) ? q : std::nullopt;
-}
-
 place_target_t ToMessage(const PlaceTarget& target) {
   place_target_t message{};
   message.pose_world_object = PoseToMessage(target.X_WO);
@@ -62,45 +56,55 @@ arm_posture_t ToMessage(const std::string& name,
   return message;
 }
 
-std::optional<MotionRequest::Arm> FromMessage(const arm_posture_t& message,
-                                              const PartTable& parts,
-                                              const CellLayout& layout) {
+Result<MotionRequest::Arm> FromMessage(const arm_posture_t& message,
+                                       const PartTable& parts,
+                                       const CellLayout& layout) {
   const ArmLayout* arm = layout.FindArm(message.arm);
-  if (arm == nullptr || arm->hand.FindGrip(message.grip) == nullptr ||
+  if (arm == nullptr) return Reason{"there is no arm " + message.arm};
+  if (arm->hand.FindGrip(message.grip) == nullptr ||
       !IsLength(message.opening)) {
-    return std::nullopt;
+    return Reason{message.arm + ": a grip or an opening that cannot be"};
   }
-  const auto q = JointsOf(message.position, *arm->model);
+  const auto q = AnglesFromMessage(message.position, *arm->model);
+  if (!q) return Reason{message.arm + ": " + q.reason()};
   const auto X_GO = PoseFromMessage(message.pose_gripper_held);
-  if (!q || !X_GO) return std::nullopt;
+  if (!X_GO) return Reason{message.arm + ": what it holds has no pose"};
   MotionRequest::Arm known{{*q, message.grip, message.opening}, std::nullopt};
   if (message.held.empty()) return known;
   const Part* part = parts.Find(message.held);
-  if (part == nullptr || part->is_fixed) return std::nullopt;
+  if (part == nullptr || part->is_fixed) {
+    return Reason{message.arm + " cannot hold " + message.held};
+  }
   known.held = ArmScene::Held{message.held, *X_GO};
   return known;
 }
 
-bool ReadScene(const motion_request_t& message, const PartTable& parts,
-               const CellLayout& layout, MotionRequest* request) {
+// Why not; nothing if it could be read.
+std::optional<Reason> ReadScene(const motion_request_t& message,
+                                const PartTable& parts,
+                                const CellLayout& layout,
+                                MotionRequest* request) {
   if (message.arms.size() > layout.arms.size() ||
       message.parts.size() > parts.parts().size()) {
-    return false;
+    return Reason{"more arms or parts than there are"};
   }
   for (const arm_posture_t& entry : message.arms) {
     auto arm = FromMessage(entry, parts, layout);
-    if (!arm || !request->arms.emplace(entry.arm, *std::move(arm)).second) {
-      return false;
+    if (!arm) return Reason{arm.reason()};
+    if (!request->arms.emplace(entry.arm, *std::move(arm)).second) {
+      return Reason{entry.arm + " comes twice"};
     }
   }
   for (const body_pose_t& entry : message.parts) {
     const auto X_WO = PoseFromMessage(entry.pose_world_body);
     if (!X_WO || parts.Find(entry.name) == nullptr ||
         !request->parts.emplace(entry.name, *X_WO).second) {
-      return false;
+      return Reason{"part '" + entry.name +
+                    "' is not known, comes twice or has no pose"};
     }
   }
-  return request->arms.contains(request->arm);
+  if (request->arms.contains(request->arm)) return std::nullopt;
+  return Reason{"it does not say how " + request->arm + " stands"};
 }
 
 /// What its kind needs is there.
@@ -155,13 +159,14 @@ motion_request_t ToMessage(const MotionRequest& request) {
   return message;
 }
 
-std::optional<MotionRequest> FromMessage(const motion_request_t& message,
-                                         const PartTable& parts,
-                                         const CellLayout& layout) {
+Result<MotionRequest> FromMessage(const motion_request_t& message,
+                                  const PartTable& parts,
+                                  const CellLayout& layout) {
   const ArmLayout* arm = layout.FindArm(message.arm);
-  if (arm == nullptr || message.kind < motion_request_t::GRASP ||
+  if (arm == nullptr) return Reason{"there is no arm " + message.arm};
+  if (message.kind < motion_request_t::GRASP ||
       message.kind > motion_request_t::REACH || message.targets.size() > 1) {
-    return std::nullopt;
+    return Reason{"a kind that is not known, or more than one target"};
   }
   MotionRequest request;
   request.id = message.id;
@@ -171,21 +176,24 @@ std::optional<MotionRequest> FromMessage(const motion_request_t& message,
   request.wanted = message.wanted;
   request.is_for_other_arm = message.is_for_other_arm;
   request.area = {Vector2d(message.area_min), Vector2d(message.area_max)};
-  const auto goal = JointsOf(message.goal, *arm->model);
+  const auto goal = AnglesFromMessage(message.goal, *arm->model);
+  if (!goal) return Reason{"its goal: " + goal.reason()};
   const auto is_near = [](double value) {
     return std::abs(value) <= kMaxLength;
   };
-  if (!goal || !std::ranges::all_of(message.area_min, is_near) ||
+  if (!std::ranges::all_of(message.area_min, is_near) ||
       !std::ranges::all_of(message.area_max, is_near)) {
-    return std::nullopt;
+    return Reason{"an area that is too far away"};
   }
   request.goal = *goal;
   if (!message.targets.empty()) {
     request.target = FromMessage(message.targets.front());
-    if (!request.target) return std::nullopt;
+    if (!request.target) return Reason{"a target that cannot be"};
   }
-  if (!ReadScene(message, parts, layout, &request)) return std::nullopt;
-  if (!IsWhole(request, parts)) return std::nullopt;
+  if (auto why = ReadScene(message, parts, layout, &request)) {
+    return *std::move(why);
+  }
+  if (!IsWhole(request, parts)) return Reason{"what its kind needs is missing"};
   return request;
 }
 
@@ -212,26 +220,29 @@ motion_plan_t ToMessage(const MotionPlan& plan, int64_t utime) {
   return message;
 }
 
-std::optional<MotionPlan> FromMessage(const motion_plan_t& message,
-                                      const CellLayout& layout) {
+Result<MotionPlan> FromMessage(const motion_plan_t& message,
+                               const CellLayout& layout) {
   const ArmLayout* arm = layout.FindArm(message.arm);
-  if (arm == nullptr || message.is_found != message.reason.empty() ||
-      message.waypoints.size() > kMaxWaypoints || !IsLength(message.opening) ||
-      !IsLength(message.width) ||
+  if (arm == nullptr) return Reason{"there is no arm " + message.arm};
+  if (message.is_found != message.reason.empty() ||
+      message.waypoints.size() > kMaxWaypoints) {
+    return Reason{"neither a way nor a reason why there is none"};
+  }
+  if (!IsLength(message.opening) || !IsLength(message.width) ||
       (!message.grip.empty() && arm->hand.FindGrip(message.grip) == nullptr)) {
-    return std::nullopt;
+    return Reason{"a grip that " + message.arm + " has not"};
   }
   const auto X_OG = PoseFromMessage(message.pose_object_gripper);
   const auto target = FromMessage(message.target);
   const auto X_WO = PoseFromMessage(message.pose_world_object);
-  if (!X_OG || !target || !X_WO) return std::nullopt;
+  if (!X_OG || !target || !X_WO) return Reason{"a pose that cannot be"};
   MotionPlan plan;
   plan.id = message.id;
   plan.arm = message.arm;
   plan.reason = message.reason;
   for (const waypoint_t& waypoint : message.waypoints) {
-    const auto q = JointsOf(waypoint.position, *arm->model);
-    if (!q) return std::nullopt;
+    const auto q = AnglesFromMessage(waypoint.position, *arm->model);
+    if (!q) return Reason{"a waypoint: " + q.reason()};
     plan.waypoints.push_back(*q);
   }
   plan.reachable = message.reachable;

@@ -129,7 +129,7 @@ class Search {
     std::uniform_int_distribution<size_t> choice(0, goals.size() - 1);
     const Joints& goal = goals[choice(random_)];
     Joints q;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < kNumJoints; ++i) {
       const double limit = params_.max_angle[i] - params_.joint_margin;
       const double low = std::min(start[i], goal[i]) - kRoom;
       const double high = std::max(start[i], goal[i]) + kRoom;
@@ -183,12 +183,8 @@ size_t IndexOf(const std::vector<Joints>& goals, const Joints& q) {
 
 }  // namespace
 
-PathPlannerParams PathPlannerParams::For(const ArmModel& model) {
-  PathPlannerParams params;
-  params.levers = model.levers();
-  params.max_angle = model.limits().angle;
-  return params;
-}
+PathPlannerParams::PathPlannerParams(const ArmModel& model)
+    : levers(model.levers()), max_angle(model.limits().angle) {}
 
 std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,

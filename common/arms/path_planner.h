@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,21 +15,21 @@ namespace cell {
 using WhyBlockedAt = std::function<std::optional<std::string>(const Joints&)>;
 
 struct PathPlannerParams {
+  /// With the levers and limits of a kind of arm.
+  explicit PathPlannerParams(const ArmModel& model);
+
   /// [m] by which the fingertips move, at most and about, between two checks:
   /// less than twice the clearance that the checks want, and nothing is missed.
   double tip_step = 0.015;
   /// [m] Of the fingertips about each axis.
-  Joints levers{{0.90, 0.90, 0.75, 0.45, 0.40, 0.15}};
+  Joints levers;
   /// [rad] Of each joint in either direction.
-  Joints max_angle = Joints::Constant(2 * std::numbers::pi);
+  Joints max_angle;
   double tree_step = 0.35;    ///< [rad] by which a tree grows
   int max_iterations = 2000;  ///< of the trees
   int shortcut_rounds = 60;
   double joint_margin = 0.05;  ///< [rad] kept from the limits
   uint64_t seed = 1;
-
-  /// With the levers and limits of a kind of arm.
-  static PathPlannerParams For(const ArmModel& model);
 };
 
 /// A way through joint space, or why there is none.
@@ -45,7 +44,7 @@ struct JointPath {
 /// its way. `a` itself is not looked at.
 std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,
-                                          const PathPlannerParams& params = {});
+                                          const PathPlannerParams& params);
 
 /// Asks the scene, as it is now, about an arm whose hand stays as in `posture`.
 WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
@@ -59,6 +58,6 @@ WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
 JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
                    const std::vector<Joints>& vias,
                    const WhyBlockedAt& why_blocked,
-                   const PathPlannerParams& params = {});
+                   const PathPlannerParams& params);
 
 }  // namespace cell

@@ -13,7 +13,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kAligned = 0.999;  // cosine of axes that count as one
+constexpr double kAligned = 0.999;     // cosine of axes that count as one
+constexpr int kLast = kNumJoints - 1;  // turns about z of the flange
 
 Isometry3d TurnedAboutZ(double angle) {
   return Isometry3d(AngleAxisd(angle, Vector3d::UnitZ()));
@@ -46,9 +47,9 @@ std::string WhyOutside(const Eigen::AlignedBox3d& workspace,
 std::string WhyBeyond(const ArmModel& arm, const Joints& q, double turn,
                       double margin) {
   int worst = 0;
-  const double turned = q[5] + turn;
+  const double turned = q[kLast] + turn;
   Joints farthest = q;
-  if (std::abs(turned) > std::abs(q[5])) farthest[5] = turned;
+  if (std::abs(turned) > std::abs(q[kLast])) farthest[kLast] = turned;
   (farthest.cwiseAbs() - arm.limits().angle).maxCoeff(&worst);
   constexpr double kDegrees = 180 / kPi;
   return fmt::format(
@@ -73,15 +74,15 @@ void ReachSearch::Fail(Stage stage, const std::string& reason) {
   reason_ = reason;
 }
 
-// True if joint 6, at a whole turn from where it is, can turn by `turn`.
+// True if the last joint, at a whole turn from where it is, can turn by `turn`.
 bool ReachSearch::FindRoom(Joints* q, double turn) const {
   const double limit =
-      arm_.model->limits().angle[5] - params_.line.joint_margin;
-  // Of the copies of joint 6 the first that is near enough to its place.
+      arm_.model->limits().angle[kLast] - params_.line.joint_margin;
+  // Of its copies the first that is near enough to its place.
   for (const double whole : {0.0, 2 * kPi, -2 * kPi}) {
-    const double begin = (*q)[5] + whole;
+    const double begin = (*q)[kLast] + whole;
     if (std::abs(begin) > limit || std::abs(begin + turn) > limit) continue;
-    (*q)[5] = begin;
+    (*q)[kLast] = begin;
     return arm_.model->LimitMargin(*q) >= params_.line.joint_margin;
   }
   return false;
@@ -185,7 +186,7 @@ std::vector<ReachSearch::Candidate<PlaceChoice>> ReachSearch::ToPlace(
     PlaceChoice choice;
     choice.X_WO = target.X_WO * TurnedAboutZ(2 * kPi * i / num_copies);
     const Isometry3d X_WG = choice.X_WO * X_GO.inverse();
-    // Joint 6 turns about z of the flange, against z of G.
+    // The last joint turns against z of G.
     const double along = -X_WG.linear().col(2).dot(target.way_out);
     if (target.turn != 0 && std::abs(along) < kAligned) {
       Fail(Stage::kHand, "the grip is off the axis to turn about");
@@ -196,7 +197,7 @@ std::vector<ReachSearch::Candidate<PlaceChoice>> ReachSearch::ToPlace(
     const double turn = std::copysign(1.0, along) * target.turn;
     for (auto& track : Tracks(X_WG_begin, X_WG, seed, turn)) {
       choice.q_place = track.front();
-      choice.q_turned = choice.q_place + turn * Joints::Unit(5);
+      choice.q_turned = choice.q_place + turn * Joints::Unit(kLast);
       choice.q_approach = track.back();
       choice.cost = CostOf(*arm_.model, choice.q_approach, seed);
       candidates.push_back({choice, std::move(track)});

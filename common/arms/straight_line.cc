@@ -34,14 +34,7 @@ Isometry3d PoseBetween(const Isometry3d& X_WA, const Isometry3d& X_WB,
 
 std::optional<Joints> TrackPose(const ArmLayout& arm, const Isometry3d& X_WG,
                                 const Joints& seed) {
-  const ArmModel& model = *arm.model;
-  const IkConfiguration configuration = model.ConfigurationOf(seed);
-  for (const Joints& q : model.SolveInverse(FlangePoseFor(arm, X_WG), seed)) {
-    if (model.ConfigurationOf(q) != configuration) continue;
-    const Joints near = model.NearestTo(seed, q);
-    if (model.IsWithinLimits(near)) return near;
-  }
-  return std::nullopt;
+  return arm.model->SolveNear(FlangePoseFor(arm, X_WG), seed);
 }
 
 std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,

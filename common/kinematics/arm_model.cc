@@ -9,6 +9,17 @@ Eigen::Isometry3d ArmModel::FlangePose(const Joints& q) const {
   return LinkPoses(q).back();
 }
 
+std::optional<Joints> ArmModel::SolveNear(const Eigen::Isometry3d& X_BF,
+                                          const Joints& seed) const {
+  const IkConfiguration configuration = ConfigurationOf(seed);
+  for (const Joints& q : SolveInverse(X_BF, seed)) {
+    if (ConfigurationOf(q) != configuration) continue;
+    const Joints near = NearestTo(seed, q);
+    if (IsWithinLimits(near)) return near;
+  }
+  return std::nullopt;
+}
+
 Joints ArmModel::NearestTo(const Joints& seed, const Joints& q) const {
   constexpr double kTurn = 2 * std::numbers::pi;
   Joints nearest = q;

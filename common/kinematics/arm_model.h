@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ class ArmModel {
   /// The housings of the arm, each a body of its own, as they are drawn and as
   /// they collide.
   struct Bodies {
+    double base_radius = 0;                            ///< [m] of its foot
     std::vector<Piece> base;                           ///< in B
     std::array<std::vector<Piece>, kNumJoints> links;  ///< in 1 .. 6
   };
@@ -57,6 +59,9 @@ class ArmModel {
   virtual double payload() const = 0;  ///< [kg] beyond the flange
   /// [m] By which the tip of a tool moves for each radian of each joint, about.
   virtual const Joints& levers() const = 0;
+  /// A posture in the open, the flange down: arms are at home in its
+  /// configuration.
+  virtual const Joints& ready() const = 0;
   virtual const Bodies& bodies() const = 0;
   /// True if two bodies of one arm, by index, can hit each other: neighbours do
   /// not.
@@ -78,6 +83,10 @@ class ArmModel {
 
   /// X_BF.
   Eigen::Isometry3d FlangePose(const Joints& q) const;
+  /// The solution of FlangePose(q) = X_BF that is nearest to the seed, in its
+  /// configuration. Nothing if there is none within the limits.
+  std::optional<Joints> SolveNear(const Eigen::Isometry3d& X_BF,
+                                  const Joints& seed) const;
   /// Each angle plus the whole turns that bring it nearest to the seed's,
   /// within the limits.
   Joints NearestTo(const Joints& seed, const Joints& q) const;

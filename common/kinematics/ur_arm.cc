@@ -16,13 +16,16 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTiny = 1e-9;
 
 // What a UR5 keeps from its singularities; lengths scale with the arm.
-constexpr double kUr5Reach = 0.425 + 0.39225, kUr5D4 = 0.10915;  // [m]
+constexpr double kUr5A3 = 0.39225, kUr5Reach = 0.425 + kUr5A3;         // [m]
+constexpr double kUr5D4 = 0.10915, kUr5D5 = 0.09465, kUr5D6 = 0.0823;  // [m]
 constexpr double kMinSine = 0.26;           // |sin q3|, |sin q5|: 15 deg
 constexpr double kUr5Determinant = 0.010;   // [m^3]
 constexpr double kUr5WristDistance = 0.12;  // [m]
 
-// [m] of its fingertips about each axis
-const Joints kUr5Levers{{0.90, 0.90, 0.75, 0.45, 0.40, 0.15}};
+// [m] of a UR5's fingertips about each axis
+Joints Ur5Levers() {
+  return Joints{{0.90, 0.90, 0.75, 0.45, 0.40, 0.15}};
+}
 
 // [m] of a UR5's housings: what its datasheet draws, rounded up.
 constexpr double kUr5Base = 0.075, kShoulder = 0.060, kUpperArm = 0.058,
@@ -54,6 +57,7 @@ ArmModel::Bodies MakeBodies(const UrArm::Params& arm) {
   const Vector3d shoulder(-arm.a2, 0, 0), elbow(-arm.a3, 0, 0);
   const Vector3d upper_arm(0, 0, upper), forearm(0, 0, fore);
   ArmModel::Bodies bodies;
+  bodies.base_radius = arm.base_radius;
   bodies.base = {Cylinder(Axis::kZ, s * kUr5Base, 0, s * 0.028)};
   bodies.links = {{
       {Cylinder(Axis::kY, s * kShoulder, s * -0.060, s * 0.060),
@@ -92,9 +96,20 @@ UrArm::UrArm(Params params)
              {params_.d6, 0, 0, 1}}},
       bodies_(MakeBodies(params_)) {
   const double size = (std::abs(params_.a2) + std::abs(params_.a3)) / kUr5Reach;
-  levers_ = size * kUr5Levers;
+  // What it carries is not larger on a larger arm.
+  const double flange = params_.d6 - kUr5D6;
+  const double wrist = flange + params_.d5 - kUr5D5;
+  const double forearm = wrist + std::abs(params_.a3) - kUr5A3;
+  const double arm = wrist + (size - 1) * kUr5Reach;
+  levers_ = Ur5Levers() + Joints{{arm, arm, forearm, wrist, flange, 0}};
   min_determinant_ = size * size * size * kUr5Determinant;
   min_wrist_distance_ = params_.d4 / kUr5D4 * kUr5WristDistance;
+}
+
+const Joints& UrArm::ready() const {
+  // [rad] Elbow up, the wrist in front of axis 1.
+  static const Joints ready = kPi / 180 * Joints{{0, -105, 75, -60, -90, 0}};
+  return ready;
 }
 
 bool UrArm::MayCollide(size_t body_a, size_t body_b) const {

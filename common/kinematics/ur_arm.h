@@ -29,6 +29,7 @@ class UrArm final : public ArmModel {
   const JointLimits& limits() const override { return params_.limits; }
   double payload() const override { return params_.payload; }
   const Joints& levers() const override { return levers_; }
+  const Joints& ready() const override;
   const Bodies& bodies() const override { return bodies_; }
   bool MayCollide(size_t body_a, size_t body_b) const override;
   LinkFrames LinkPoses(const Joints& q) const override;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "common/kinematics/arm_models.h"
 #include "common/layout/vectors.h"
@@ -47,6 +47,16 @@ std::shared_ptr<const ArmModel> LoadModel(const Config& config) {
   return model;
 }
 
+Joints LoadHome(const Config& config, const ArmLayout& arm) {
+  const auto q = arm.model->SolveNear(
+      arm.X_WB.inverse() * PoseFromConfig(config) * arm.X_FG.inverse(),
+      arm.model->ready());
+  if (!q) config.Fail("out of reach of a " + arm.model->name());
+  constexpr double kTenths = 10 / kDegree;
+  return q->unaryExpr(
+      [](double angle) { return std::round(kTenths * angle) / 10 * kDegree; });
+}
+
 }  // namespace
 
 ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
@@ -55,12 +65,9 @@ ArmLayout ArmLayout::FromConfig(const std::string& name, const Config& config,
   arm.name = name;
   arm.model = LoadModel(config);
   arm.X_WB = PoseFromConfig(config["base"]);
-  const std::vector<double> home = config.Numbers("home_deg", 6);
-  for (int i = 0; i < 6; ++i) {
-    arm.home[i] = home[static_cast<size_t>(i)] * kDegree;
-  }
   arm.precedence = config.Integer("precedence", 1, 100);
   LoadTool(config["tool"], types, &arm);
+  arm.home = LoadHome(config["home"], arm);
   const Config workspace = config["workspace"];
   arm.workspace = Eigen::AlignedBox3d(Vector3(workspace, "low"),
                                       Vector3(workspace, "high"));

@@ -6,7 +6,7 @@
 namespace cell::motion_planner {
 
 MotionPlanner::MotionPlanner(Bus& bus, MotionSearch::Params params)
-    : bus_(bus), search_(std::move(params)) {
+    : bus_(bus), alerts_(bus), search_(std::move(params)) {
   bus.Subscribe<motion_request_t>(
       "MOTION_REQUEST", [this](const auto& m) { return OnRequest(m); });
   // Wakes it now and then, so that its STATUS tells that it lives.
@@ -18,7 +18,7 @@ MotionPlanner::MotionPlanner(Bus& bus, MotionSearch::Params params)
 bool MotionPlanner::OnRequest(const motion_request_t& message) {
   auto request =
       FromMessage(message, search_.params().parts, search_.params().layout);
-  if (!request) return false;
+  if (!request) return alerts_.Reject("MOTION_REQUEST", request.reason());
   const bool is_reach = request->kind == MotionRequest::Kind::kReach;
   const std::pair slot(request->arm, is_reach);
   waiting_[slot] = {message.header.utime, *std::move(request)};

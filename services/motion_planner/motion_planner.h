@@ -8,6 +8,7 @@
 
 #include "cell/motion_request_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
 #include "services/motion_planner/motion_search.h"
 
@@ -31,6 +32,7 @@ class MotionPlanner final : public Service {
     MotionRequest request;
   };
   Bus& bus_;
+  InputAlerts alerts_;
   MotionSearch search_;
   std::map<std::pair<std::string, bool>, Waiting> waiting_;  ///< arm, is reach
 };

@@ -86,7 +86,7 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
     const auto ask = AskScene(scene, arm, from, rule);
     const bool is_last = clearance == kTouching;
     if (!is_last && ask(from.q)) continue;
-    PathPlannerParams params = PathPlannerParams::For(*layout.model);
+    PathPlannerParams params(*layout.model);
     params.tip_step = std::clamp(1.8 * clearance, kMinStep, params.tip_step);
     const auto why_blocked =
         [&](const Joints& q) -> std::optional<std::string> {

@@ -15,8 +15,8 @@ namespace cell::planner {
 /// What an arm says of a skill that it has.
 struct SkillTraits {
   bool may_run_beside = false;  ///< while another arm is at work
-  bool hands_over =
-      false;  ///< brings the part to where another arm can take it
+  /// Brings the part to where another arm can take it: before its turn, too.
+  bool hands_over = false;
 };
 
 /// What an arm says of itself. Objects are the vocabulary's.

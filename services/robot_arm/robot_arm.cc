@@ -25,20 +25,21 @@ constexpr int32_t kReportPeriod = 12;         // ticks
 constexpr int64_t kSetpointUs = 4 * kTickUs;  // how long one may be followed
 constexpr int64_t kFreshUs = 2 * kTickUs;     // a reading of the sensor
 
-std::optional<ArmReading> FromMessage(const arm_state_t& message,
-                                      const ArmModel& model) {
-  const auto q = JointsFromMessage(message.position);
-  const auto dq = JointsFromMessage(message.velocity);
-  if (!q || !dq || !model.IsWithinLimits(*q) ||
-      !(dq->cwiseAbs().array() <= 2 * model.limits().speed.array()).all()) {
-    return std::nullopt;
+Result<ArmReading> FromMessage(const arm_state_t& message,
+                               const ArmModel& model) {
+  const auto q = AnglesFromMessage(message.position, model);
+  if (!q) return Reason{q.reason()};
+  const auto dq = JointsFromMessage(message.velocity, model);
+  if (!dq) return Reason{dq.reason()};
+  if (!(dq->cwiseAbs().array() <= 2 * model.limits().speed.array()).all()) {
+    return Reason{"faster than twice the speed of a " + model.name()};
   }
   if (!(message.opening >= 0 && message.opening < 1) ||
       message.grip < arm_state_t::OPEN ||
       message.grip > arm_state_t::GRIPPING ||
       message.servo < arm_state_t::FOLLOWING ||
       message.servo > arm_state_t::STOPPED) {
-    return std::nullopt;
+    return Reason{"an opening, a grip or a servo that cannot be"};
   }
   ArmReading reading;
   reading.q = *q;
@@ -58,6 +59,11 @@ bool IsSame(const arm_report_t& a, const arm_report_t& b) {
          a.reachable == b.reachable;
 }
 
+bool IsPersonsHand(const CellLayout& layout, const std::string& name) {
+  return std::ranges::find(layout.hands, name, &CellLayout::Hand::name) !=
+         layout.hands.end();
+}
+
 std::vector<skill_traits_t> TraitsOf(const ArmLayout& arm) {
   std::vector<skill_traits_t> skills;
   for (const Skill* skill : SkillsOf(arm.X_FS.has_value())) {
@@ -74,12 +80,9 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
     : bus_(bus),
       params_(params),
       name_(params.worker.arm),
-      suffix_(ChannelSuffix(name_)),
       skills_(TraitsOf(*params.worker.layout.FindArm(name_))),
-      worker_(std::make_unique<ArmWorker>(params_.worker)) {
-  for (const auto& hand : params_.worker.layout.hands) {
-    persons_hands_.insert(hand.name);
-  }
+      worker_(std::make_unique<ArmWorker>(params_.worker)),
+      alerts_(bus) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const auto& m) { return OnEpisode(m); });
   bus.Subscribe<motion_permit_t>(
@@ -98,13 +101,13 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
         },
         1);
     if (arm.name == name_) {
-      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + suffix_,
+      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + ChannelSuffix(name_),
                                  [this](const auto& m) { return OnStop(m); });
     }
     if (arm.name == name_ && arm.X_FS) {
       bus.Subscribe<wrench_t>(
-          "WRENCH_" + suffix_, [this](const auto& m) { return OnWrench(m); },
-          1);
+          "WRENCH_" + ChannelSuffix(name_),
+          [this](const auto& m) { return OnWrench(m); }, 1);
     }
   }
   bus.Every(1, 0, [this] { OnTick(); });
@@ -127,7 +130,10 @@ const ArmModel& RobotArm::ModelOf(const std::string& arm) const {
 
 bool RobotArm::OnState(const arm_state_t& message) {
   auto reading = FromMessage(message, ModelOf(name_));
-  if (!reading) return false;
+  if (!reading) {
+    return alerts_.Reject("ARM_STATE_" + ChannelSuffix(name_),
+                          reading.reason());
+  }
   reading_ = *std::move(reading);
   if (!reading_->is_stopped) why_stopped_ = "its device has not said why";
   return true;
@@ -141,8 +147,10 @@ bool RobotArm::OnStop(const arm_stop_t& message) {
 }
 
 bool RobotArm::OnOther(const std::string& arm, const arm_state_t& message) {
-  const auto reading = FromMessage(message, ModelOf(name_));
-  if (!reading) return false;
+  const auto reading = FromMessage(message, ModelOf(arm));
+  if (!reading) {
+    return alerts_.Reject("ARM_STATE_" + ChannelSuffix(arm), reading.reason());
+  }
   worker_->UpdateOther(arm, {reading->q, reading->stance, reading->opening},
                        reading->is_gripping);
   return true;
@@ -178,7 +186,7 @@ bool RobotArm::OnTracks(const tracks_t& message) {
     if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
       poses.emplace(track.name, track.X_WO);
     }
-    if (persons_hands_.contains(track.name)) {
+    if (IsPersonsHand(params_.worker.layout, track.name)) {
       hands.insert(hands.end(), track.points.begin(), track.points.end());
     }
   }
@@ -208,7 +216,7 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
 bool RobotArm::OnPlan(const motion_plan_t& message) {
   if (message.arm != name_) return true;
   const auto plan = FromMessage(message, params_.worker.layout);
-  if (!plan) return false;
+  if (!plan) return alerts_.Reject("MOTION_PLAN", plan.reason());
   // What an earlier life has asked for has ids like this one's.
   if (start_utime_ && message.header.utime >= *start_utime_) {
     worker_->Put(*plan);
@@ -257,7 +265,7 @@ void RobotArm::PublishSetpoint(const ArmCommand& command) {
   const bool is_held = Permission() == ArmWorker::MotionPermission::kFreeze;
   message.clear_stop = reading_->is_stopped && was_held_ && !is_held;
   if (is_held || !reading_->is_stopped) was_held_ = is_held;
-  bus_.Publish("ARM_SETPOINT_" + suffix_, message);
+  bus_.Publish("ARM_SETPOINT_" + ChannelSuffix(name_), message);
 }
 
 void RobotArm::PublishResult(const SkillResult& result) {
@@ -287,7 +295,7 @@ void RobotArm::PublishReport() {
   report.num_skills = static_cast<int32_t>(report.skills.size());
   if (bus_.tick() % kReportPeriod != 0 && IsSame(report, last_report_)) return;
   last_report_ = report;
-  bus_.Publish("ARM_REPORT_" + suffix_, report);
+  bus_.Publish("ARM_REPORT_" + ChannelSuffix(name_), report);
 }
 
 std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,

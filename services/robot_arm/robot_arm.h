@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
 #include "services/robot_arm/arm_worker.h"
@@ -58,9 +58,8 @@ class RobotArm final : public Service {
 
   Bus& bus_;
   Params params_;
-  std::string name_, suffix_;
+  std::string name_;
   std::vector<skill_traits_t> skills_;
-  std::set<std::string> persons_hands_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
@@ -70,6 +69,7 @@ class RobotArm final : public Service {
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor
   arm_report_t last_report_{};
+  InputAlerts alerts_;
 };
 
 /// The arm `instance` of the task's cell.yaml.

@@ -26,11 +26,10 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
     : bus_(bus),
       layout_(layout),
       params_(params),
+      alerts_(bus),
       suffix_(ChannelSuffix(layout.name)),
-      servo_(params.servo, layout.home),
+      servo_(params.servo, layout.model->limits().speed, layout.home),
       gripper_(layout.gripper, layout.hand, shapes, params.gripper) {
-  params_.servo.max_speed = layout.model->limits().speed;
-  servo_ = ArmServo(params_.servo, layout.home);
   for (const Part& body : BodyPartsOf(layout)) body_names_.push_back(body.name);
   bus.Subscribe<arm_setpoint_t>(
       "ARM_SETPOINT_" + suffix_,
@@ -38,7 +37,7 @@ ArmDevice::ArmDevice(Bus& bus, const ArmLayout& layout,
 }
 
 void ArmDevice::Reset(World& world) {
-  servo_ = ArmServo(params_.servo, layout_.home);
+  servo_ = ArmServo(params_.servo, layout_.model->limits().speed, layout_.home);
   gripper_.Reset(layout_.hand.max_opening / 2);
   force_ = 0;
   const Isometry3d X_WF = FlangePose();
@@ -49,8 +48,8 @@ void ArmDevice::Reset(World& world) {
 
 bool ArmDevice::OnSetpoint(const arm_setpoint_t& message) {
   if (bus_.now() > message.deadline_utime) return false;
-  const auto q = JointsFromMessage(message.position);
-  if (!q || !layout_.model->IsWithinLimits(*q)) return false;
+  const auto q = AnglesFromMessage(message.position, *layout_.model);
+  if (!q) return alerts_.Reject("ARM_SETPOINT_" + suffix_, q.reason());
   if (!std::isfinite(message.opening)) return false;
   servo_.Command(*q, message.clear_stop != 0);
   gripper_.Command(message.opening, message.grip);

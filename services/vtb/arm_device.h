@@ -7,6 +7,7 @@
 
 #include "cell/arm_setpoint_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/input_alerts.h"
 #include "common/geometry/part_shape.h"
 #include "common/layout/arm_layout.h"
 #include "services/vtb/arm_servo.h"
@@ -58,6 +59,7 @@ class ArmDevice {
   Bus& bus_;
   const ArmLayout& layout_;
   Params params_;
+  InputAlerts alerts_;
   std::string suffix_;  // of its channels
   std::vector<std::string> body_names_;
   ArmServo servo_;

@@ -7,8 +7,10 @@
 
 namespace cell::vtb {
 
-ArmServo::ArmServo(const Params& params, const Joints& q)
+ArmServo::ArmServo(const Params& params, const Joints& max_speed,
+                   const Joints& q)
     : params_(params),
+      max_speed_(max_speed),
       // |H(jw)| = omega^2 / (omega^2 + w^2) is 1/sqrt(2) at the bandwidth.
       omega_(2 * std::numbers::pi * params.bandwidth /
              std::sqrt(std::numbers::sqrt2 - 1)),
@@ -53,7 +55,7 @@ void ArmServo::Update(double dt, double force) {
 void ArmServo::MoveTowards(double dt) {
   const double decay = std::exp(-omega_ * dt);
   for (int i = 0; i < q_.size(); ++i) {
-    const double max_speed = params_.max_speed[i];
+    const double max_speed = max_speed_[i];
     const double error = q_[i] - goal_[i];
     const double rise = v_[i] + omega_ * error;
     double next = goal_[i] + (error + rise * dt) * decay;

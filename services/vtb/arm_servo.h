@@ -15,15 +15,15 @@ namespace cell::vtb {
 class ArmServo {
  public:
   struct Params {
-    double bandwidth = 12;   ///< [Hz] at which it follows to -3 dB
-    int dead_ticks = 1;      ///< from a set-point to its effect
-    int patience_ticks = 5;  ///< without a set-point, before it holds
-    Joints max_speed = Joints::Constant(3.14);  ///< [rad/s]
+    double bandwidth = 12;    ///< [Hz] at which it follows to -3 dB
+    int dead_ticks = 1;       ///< from a set-point to its effect
+    int patience_ticks = 5;   ///< without a set-point, before it holds
     double stop_force = 150;  ///< [N] on the tool: protective stop
   };
   enum class State : int8_t { kFollowing = 0, kHolding = 1, kStopped = 2 };
 
-  ArmServo(const Params& params, const Joints& q);
+  /// At `q`; `max_speed` [rad/s] of each joint.
+  ArmServo(const Params& params, const Joints& max_speed, const Joints& q);
 
   /// A set-point [rad] that has come in this tick.
   void Command(const Joints& q, bool clear_stop);
@@ -44,6 +44,7 @@ class ArmServo {
   void MoveTowards(double dt);
 
   Params params_;
+  Joints max_speed_;
   double omega_;  // [rad/s] of the double pole
   Joints q_, v_ = Joints::Zero();
   Joints goal_;

@@ -15,6 +15,7 @@
 #include "cell/truth_action_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
+#include "common/arms/cell_check.h"
 #include "common/geometry/pose.h"
 #include "common/task/task.h"
 
@@ -345,6 +346,7 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   // The folder may be given with a slash at its end.
   params.task = (deployment.task_dir / "").parent_path().filename().string();
   const Task task = LoadTask(deployment);
+  CheckCell(deployment.OfTask("cell.yaml"), task.parts, task.layout);
   params.parts = task.parts;
   params.layout = task.layout;
   params.book = DemonstratorBook::FromConfig(

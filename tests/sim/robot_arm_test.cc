@@ -16,6 +16,7 @@
 #include "services/motion_planner/motion_planner.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
+#include "tests/unit/changed_deployment.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -91,8 +92,8 @@ struct Outcome {
   double seconds = 0;
 };
 
-Outcome Assemble(uint64_t seed, std::deque<Wish> wishes) {
-  const Deployment deployment = ShippedDeployment();
+Outcome Assemble(uint64_t seed, std::deque<Wish> wishes,
+                 const Deployment& deployment = ShippedDeployment()) {
   Roster roster;
   roster.task = "cranfield";
   roster.entries = {{"vtb"},
@@ -164,6 +165,27 @@ TEST(RobotArm, AssemblesEverythingOneAfterTheOther) {
         << result.id << ": " << result.reason;
   }
   EXPECT_THAT(outcome.score.missing, testing::IsEmpty());
+}
+
+TEST(RobotArm, OneOfAnotherModelInsertsBesideOne) {
+  const ChangedDeployment deployment(ShippedDeployment());
+  deployment.Change("cell.yaml", "right:\n    model: ur5",
+                    "right:\n    model: ur10e");
+  const Outcome outcome =
+      Assemble(1001,
+               {Insert("round_peg_1", "base.round_1"),
+                {"left", "present", {{"part", "square_peg_2"}}},
+                Insert("square_peg_2", "base.square_2"),
+                {"right", "go_home", {}}},
+               deployment.get());
+  ASSERT_EQ(outcome.results.size(), 4u);
+  for (const skill_result_t& result : outcome.results) {
+    EXPECT_EQ(result.outcome, skill_result_t::SUCCEEDED)
+        << result.id << ": " << result.reason;
+  }
+  for (const std::string site : {"base.round_1", "base.square_2"}) {
+    EXPECT_THAT(outcome.score.missing, testing::Not(testing::Contains(site)));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "common/kinematics/arm_models.h"
+#include "common/kinematics/joint_values.h"
 #include "common/kinematics/ur_arm.h"
 
 namespace cell {
@@ -187,6 +188,38 @@ TEST_P(ArmModelTest, NoAngleBeyondTheLimitsOrNotANumberIsWithinThem) {
   }
 }
 
+TEST_P(ArmModelTest, IsReadyInTheOpenWithTheFlangeDown) {
+  const Joints& ready = arm_->ready();
+  EXPECT_FALSE(arm_->IsNearSingularity(ready));
+  const Isometry3d X_BF = arm_->FlangePose(ready);
+  EXPECT_NEAR(X_BF.linear()(2, 2), -1, 1e-9);
+  const auto solution = arm_->SolveNear(X_BF, ready);
+  ASSERT_TRUE(solution.has_value());
+  EXPECT_LT((*solution - ready).norm(), 1e-9);
+}
+
+TEST_P(ArmModelTest, TheSolutionNearASeedKeepsItsConfiguration) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const Joints seed = RandomJoints(random);
+    if (arm_->IsNearSingularity(seed)) continue;
+    const auto near = arm_->SolveNear(arm_->FlangePose(seed), seed);
+    ASSERT_TRUE(near.has_value());
+    ASSERT_LT((*near - seed).norm(), 1e-6);
+  }
+  Isometry3d far = Isometry3d::Identity();
+  far.translation() << 2.5, 0, 0.3;
+  EXPECT_FALSE(arm_->SolveNear(far, arm_->ready()).has_value());
+}
+
+TEST_P(ArmModelTest, ItsLeversReachAtLeastAsFarAsItsStretchedFlange) {
+  const auto& table = dynamic_cast<const UrArm&>(*arm_).params();
+  const Joints& levers = arm_->levers();
+  EXPECT_GE(levers[0], std::abs(table.a2) + std::abs(table.a3));
+  EXPECT_GE(levers[2], std::abs(table.a3) + table.d6);
+  EXPECT_GE(levers[3], table.d5 + table.d6 + 0.2);  // and a hand
+}
+
 TEST_P(ArmModelTest, EveryLinkHasAHousing) {
   const auto& links = arm_->bodies().links;
   for (const auto& pieces : links) {
@@ -197,6 +230,18 @@ TEST_P(ArmModelTest, EveryLinkHasAHousing) {
       EXPECT_GT(piece.half_length, 0.01);
     }
   }
+}
+
+TEST(JointValues, OfAnotherNumberAreRefusedWithTheRightOne) {
+  const ArmModel& arm = *FindArmModel("ur10e");
+  EXPECT_EQ(JointsFromMessage(std::vector<double>(7), arm).reason(),
+            "7 joints instead of the 6 of a ur10e");
+  EXPECT_EQ(JointsFromMessage({}, arm).reason(),
+            "0 joints instead of the 6 of a ur10e");
+  EXPECT_TRUE(JointsFromMessage(std::vector<double>(6, 9.0), arm));
+  EXPECT_EQ(AnglesFromMessage(std::vector<double>(6, 9.0), arm).reason(),
+            "joints beyond the limits of a ur10e");
+  EXPECT_TRUE(AnglesFromMessage(std::vector<double>(6, 1.0), arm));
 }
 
 TEST_P(ArmModelTest, NeighboursDoNotCollide) {

@@ -11,17 +11,17 @@ using namespace vtb;
 namespace {
 
 constexpr double kTick = 0.008;
+const Joints kSpeed = Joints::Constant(3.14);  // [rad/s]
 
 ArmServo::Params Immediate() {
   ArmServo::Params params;
   params.dead_ticks = 0;
-  params.max_speed.setConstant(1000);
   return params;
 }
 
 // Ratio of the amplitudes of the arm's and the set-point's sine.
 double GainAt(double frequency) {
-  ArmServo servo(Immediate(), Joints::Zero());
+  ArmServo servo(Immediate(), Joints::Constant(1000), Joints::Zero());
   double peak = 0;
   for (int k = 0; k < 2000; ++k) {
     const double t = k * kTick;
@@ -43,14 +43,14 @@ TEST(ArmServo, FollowsSlowSetPointsAndHalvesThePowerAtItsBandwidth) {
 
 TEST(ArmServo, NeverMovesFasterThanItsJointsMay) {
   ArmServo::Params params;
-  ArmServo servo(params, Joints::Zero());
+  ArmServo servo(params, kSpeed, Joints::Zero());
   Joints before = servo.position();
   for (int k = 0; k < 200; ++k) {
     servo.Command(Joints::Constant(3), false);
     servo.Update(kTick, 0);
     EXPECT_LE((servo.position() - before).cwiseAbs().maxCoeff(),
-              params.max_speed[0] * kTick + 1e-12);
-    EXPECT_LE(servo.velocity().cwiseAbs().maxCoeff(), params.max_speed[0]);
+              kSpeed[0] * kTick + 1e-12);
+    EXPECT_LE(servo.velocity().cwiseAbs().maxCoeff(), kSpeed[0]);
     before = servo.position();
   }
   EXPECT_NEAR(servo.position()[5], 3, 1e-3);
@@ -58,7 +58,7 @@ TEST(ArmServo, NeverMovesFasterThanItsJointsMay) {
 
 TEST(ArmServo, StandsByItselfWhenSetPointsStopComing) {
   ArmServo::Params params;
-  ArmServo servo(params, Joints::Zero());
+  ArmServo servo(params, kSpeed, Joints::Zero());
   double q = 0;
   for (int k = 0; k < 100; ++k) {
     q += 1.0 * kTick;
@@ -77,7 +77,7 @@ TEST(ArmServo, StandsByItselfWhenSetPointsStopComing) {
 
 TEST(ArmServo, StopsForExcessForceUntilSomebodyClearsIt) {
   ArmServo::Params params;
-  ArmServo servo(params, Joints::Zero());
+  ArmServo servo(params, kSpeed, Joints::Zero());
   servo.Command(Joints::Constant(0.1), false);
   servo.Update(kTick, params.stop_force + 1);
   EXPECT_EQ(servo.state(), ArmServo::State::kStopped);
@@ -99,7 +99,7 @@ TEST(ArmServo, StopsForExcessForceUntilSomebodyClearsIt) {
 TEST(ArmServo, TheDeadTimeDelaysASetPointByWholeTicks) {
   ArmServo::Params params;
   params.dead_ticks = 4;
-  ArmServo servo(params, Joints::Zero());
+  ArmServo servo(params, kSpeed, Joints::Zero());
   for (int k = 0; k < 4; ++k) {
     servo.Command(Joints::Constant(0.1), false);
     servo.Update(kTick, 0);

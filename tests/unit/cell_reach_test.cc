@@ -9,6 +9,7 @@
 #include "common/arms/cell_check.h"
 #include "common/arms/path_planner.h"
 #include "common/arms/reach.h"
+#include "common/kinematics/arm_models.h"
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
 #include "services/vtb/tabletop.h"
@@ -45,6 +46,13 @@ struct Placing {
   Isometry3d X_OG;
   PlaceChoice place;
 };
+
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked) {
+  return cell::PlanPath(start, goals, vias, why_blocked,
+                        PathPlannerParams(*FindArmModel("ur5")));
+}
 
 class CellReach : public testing::Test {
  protected:
@@ -347,6 +355,33 @@ TEST_F(CellCameras, AtLeastTwoSeeTheFreePartsAreaPastTheArmsAtHome) {
             static_cast<std::ptrdiff_t>(num_seen.size()));
 }
 
+TEST(CellHome, IsWhereTheCellSaysForAnyModelThatReachesIt) {
+  std::ifstream file(ShippedDeployment().task_dir / "cell.yaml");
+  std::stringstream stream;
+  stream << file.rdbuf();
+  for (const std::string& model : ArmModelNames()) {
+    if (model == "ur3" || model == "ur3e") continue;
+    std::string text = stream.str();
+    for (size_t at = 0; (at = text.find("model: ur5\n", at)) != text.npos;
+         ++at) {
+      text.replace(at, 10, "model: " + model);
+    }
+    const CellLayout layout =
+        CellLayout::FromConfig(Config::Parse(text, "cell.yaml"));
+    const ArmLayout& right = *layout.FindArm("right");
+    EXPECT_EQ(right.model->name(), model);
+    const Isometry3d X_WG = GripperPose(right, right.home);
+    EXPECT_LT((X_WG.translation() - Vector3d(0.4175, -0.3591, 0.4699)).norm(),
+              0.003)
+        << model;
+    EXPECT_GT(X_WG.linear()(2, 2), 0.99999) << model;
+    EXPECT_FALSE(right.model->IsNearSingularity(right.home)) << model;
+    const Joints tenths = right.home / kDegree * 10;
+    EXPECT_LT((tenths - tenths.array().round().matrix()).cwiseAbs().maxCoeff(),
+              1e-9);
+  }
+}
+
 // What a cell.yaml with a changed line is refused for.
 std::string WhyRefused(const std::string& from, const std::string& to) {
   std::ifstream file(ShippedDeployment().task_dir / "cell.yaml");
@@ -372,23 +407,37 @@ TEST(CellCheck, AcceptsTheShippedCell) {
 }
 
 TEST(CellCheck, RefusesHomesThatCollide) {
+  EXPECT_THAT(WhyRefused("xyz: [-0.40, 0.00", "xyz: [0.40, 0.00"),
+              testing::MatchesRegex(
+                  "cell.yaml:arms.left.home: .*_left.* would hit .*_right.*"));
   EXPECT_THAT(
-      WhyRefused("xyz: [0.50, -0.05, 0.10]", "xyz: [-0.25, 0.30, 0.10]"),
-      testing::MatchesRegex(
-          "cell.yaml:arms.left.home_deg: .*_left.* would hit .*_right.*"));
-  EXPECT_THAT(
-      WhyRefused("[60.8, -105.4, 69.8", "[60.8, -20, 69.8"),
-      testing::MatchesRegex("cell.yaml:arms.right.home_deg: .* would hit .*"));
+      WhyRefused("home: {xyz: [0.4175, -0.3591, 0.4699]",
+                 "home: {xyz: [0.1175, -0.3591, 0.0050]"),
+      testing::MatchesRegex("cell.yaml:arms.right.home: .* would hit .*"));
+}
+
+TEST(CellCheck, AcceptsAnyModelThatReachesItsHomeAndOnlyThose) {
+  for (const std::string arm : {"right", "left"}) {
+    for (const std::string& model : ArmModelNames()) {
+      const bool is_short = model == "ur3" || model == "ur3e";
+      EXPECT_EQ(
+          WhyRefused(arm + ":\n    model: ur5", arm + ":\n    model: " + model),
+          is_short
+              ? "cell.yaml:arms." + arm + ".home: out of reach of a " + model
+              : "");
+    }
+  }
 }
 
 TEST(CellCheck, RefusesWhatCannotBe) {
-  EXPECT_EQ(WhyRefused("xyz: [0.50, -0.05, 0.10]", "xyz: [0.50, -0.05, -0.1]"),
+  EXPECT_EQ(WhyRefused("xyz: [0.50, -0.05, 0.10]", "xyz: [0.50, -0.05, -0.01]"),
             "cell.yaml:arms.right.base: lies below the table's top");
-  EXPECT_EQ(WhyRefused("home_deg: [40.1, -111.2", "home_deg: [130, -111.2"),
-            "cell.yaml:arms.left.home_deg: the gripper is outside the arm's "
-            "workspace");
-  EXPECT_EQ(WhyRefused("[60.8, -105.4", "[400, -105.4"),
-            "cell.yaml:arms.right.home_deg: beyond the joint limits");
+  EXPECT_EQ(
+      WhyRefused("home: {xyz: [-0.2405, 0.2770", "home: {xyz: [-0.2405, 0.45"),
+      "cell.yaml:arms.left.home: the gripper is outside the arm's "
+      "workspace");
+  EXPECT_EQ(WhyRefused("home: {xyz: [0.4175,", "home: {xyz: [-0.9,"),
+            "cell.yaml:arms.right.home: out of reach of a ur5");
   EXPECT_EQ(WhyRefused("rpy_deg: [0, 0, -5.7]", "rpy_deg: [0, 10, -5.7]"),
             "cell.yaml:arms.right.base: leans");
   EXPECT_EQ(WhyRefused("mass: 2.40", "mass: 6"),

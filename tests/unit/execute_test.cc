@@ -88,7 +88,7 @@ class Bench : public testing::Test {
 
   ArmState Report(const std::string& name, const Arm& arm) const {
     ArmState report{Object(name), now_.utime, arm.request,
-                    std::nullopt, {},         SkillsOfBench()};
+                    std::nullopt, {},         skills_};
     if (!arm.held.empty()) report.held = Object(arm.held);
     for (const auto& part : arm.reachable) {
       report.reachable.push_back(Object(part));
@@ -112,6 +112,7 @@ class Bench : public testing::Test {
   ExecutionParams params_;
   std::map<std::string, Arm> arms_ = {
       {"left", {}}, {"right", {-1, "", {"bolt_1", "bolt_2", "lid"}}}};
+  std::map<std::string, SkillTraits> skills_ = SkillsOfBench();
   std::set<std::string> true_;
   std::set<std::string> unknown_;
   Instant now_{1'000'000, 125};
@@ -468,6 +469,14 @@ TEST_F(Bench, PassesOnAPartWhileAnotherIsInserted) {
   Succeed("right", "In(bolt_1, hole_1)");
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+}
+
+TEST_F(Bench, WhatHandsNothingOverWaitsForItsTurn) {
+  skills_.at("present").hands_over = false;
+  arms_["right"].reachable = {"bolt_1", "bolt_2"};
+  arms_["left"].reachable = {"lid"};
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
 }
 
 TEST_F(Bench, DoesOneThingAtATimeIfToldSo) {

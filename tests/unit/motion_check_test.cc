@@ -329,7 +329,7 @@ TEST_F(MotionCheckTest, AnotherNumberOfJointsIsABreach) {
   Put("ARM_STATE_RIGHT", state, 0);
   ASSERT_EQ(check_.violations().size(), 1u);
   EXPECT_THAT(check_.violations().front().what,
-              testing::HasSubstr("has 7 joints instead of 6"));
+              testing::HasSubstr("has 7 joints instead of the 6 of a ur5"));
 }
 
 TEST_F(MotionCheckTest, WhatDoesNotDecodeIsPassedOver) {

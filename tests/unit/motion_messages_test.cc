@@ -21,16 +21,24 @@ class MotionMessages : public testing::Test {
     request_.arms["left"] = {HomePosture(cell_.Arm("left")), std::nullopt};
     plan_ = cell_.search.Find(request_);
   }
-  bool IsTaken(const std::function<void(motion_request_t&)>& change) const {
+  // Empty if it is taken.
+  std::string WhyNot(
+      const std::function<void(motion_request_t&)>& change) const {
     motion_request_t message = ToMessage(request_);
     change(message);
-    return FromMessage(message, cell_.task.parts, cell_.task.layout)
-        .has_value();
+    return FromMessage(message, cell_.task.parts, cell_.task.layout).reason();
   }
-  bool IsPlan(const std::function<void(motion_plan_t&)>& change) const {
+  bool IsTaken(const std::function<void(motion_request_t&)>& change) const {
+    return WhyNot(change).empty();
+  }
+  std::string WhyNoPlan(
+      const std::function<void(motion_plan_t&)>& change) const {
     motion_plan_t message = ToMessage(plan_, 7);
     change(message);
-    return FromMessage(message, cell_.task.layout).has_value();
+    return FromMessage(message, cell_.task.layout).reason();
+  }
+  bool IsPlan(const std::function<void(motion_plan_t&)>& change) const {
+    return WhyNoPlan(change).empty();
   }
 
   ShippedMotions cell_;
@@ -83,6 +91,15 @@ TEST_F(MotionMessages, ARequestThatMakesNoSenseIsRejected) {
   EXPECT_FALSE(
       IsTaken([=](M& m) { m.parts[0].pose_world_body.position[0] = nan; }));
   EXPECT_FALSE(IsTaken([=](M& m) { m.area_max[1] = nan; }));
+}
+
+TEST_F(MotionMessages, JointsOfAnotherNumberThanTheArmsAreRejectedWithIt) {
+  EXPECT_EQ(WhyNot([](auto& m) { m.goal.push_back(0); }),
+            "its goal: 7 joints instead of the 6 of a ur5");
+  EXPECT_EQ(WhyNot([](auto& m) { m.arms[0].position.clear(); }),
+            "left: 0 joints instead of the 6 of a ur5");
+  EXPECT_EQ(WhyNoPlan([](auto& m) { m.waypoints[0].position.pop_back(); }),
+            "a waypoint: 5 joints instead of the 6 of a ur5");
 }
 
 TEST_F(MotionMessages, AnAreaTooLargeToBeSearchedIsRejected) {

@@ -7,6 +7,7 @@
 
 #include "common/arms/reach.h"
 #include "common/arms/straight_line.h"
+#include "common/kinematics/arm_models.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -22,6 +23,19 @@ Joints At(double q1, double q2) {
 std::optional<std::string> Wall(const Joints& q) {
   if (std::abs(q[0]) < 0.1 && q[1] < 0.5) return "it would hit the wall";
   return std::nullopt;
+}
+
+// Of an arm of the shipped cell.
+const PathPlannerParams kParams(*FindArmModel("ur5"));
+
+JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
+                   const std::vector<Joints>& vias,
+                   const WhyBlockedAt& why_blocked) {
+  return cell::PlanPath(start, goals, vias, why_blocked, kParams);
+}
+std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
+                                          const WhyBlockedAt& why_blocked) {
+  return cell::WhyEdgeBlocked(a, b, why_blocked, kParams);
 }
 
 void ExpectFree(const JointPath& path, const WhyBlockedAt& why_blocked) {
@@ -61,7 +75,7 @@ TEST(PathPlanner, FindsTheGapAndStopsSeldom) {
 }
 
 TEST(PathPlanner, IsAFunctionOfItsSeed) {
-  PathPlannerParams params;
+  PathPlannerParams params = kParams;
   const auto plan = [&] {
     return PlanPath(At(-1, 0), {At(1, 0)}, {}, Wall, params).waypoints;
   };
@@ -80,7 +94,7 @@ TEST(PathPlanner, SaysWhatIsInTheWay) {
     if (std::abs(q[0]) < 0.1) return "it would hit the wall";
     return std::nullopt;
   };
-  PathPlannerParams params;
+  PathPlannerParams params = kParams;
   params.max_iterations = 100;
   const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, endless, params);
   EXPECT_FALSE(path);

@@ -1,13 +1,12 @@
 // What a robot_arm refuses to start with.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
+#include "cell/alert_t.hpp"
 #include "common/bus/stepper.h"
 #include "common/config/config.h"
+#include "common/kinematics/joint_values.h"
 #include "services/robot_arm/robot_arm.h"
+#include "tests/unit/changed_deployment.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -15,40 +14,24 @@ namespace cell {
 using namespace robot_arm;
 namespace {
 
-/// The shipped deployment with a task folder that a test may change.
+/// The shipped cell, which a test may change.
 class RobotArmStart : public testing::Test {
  protected:
-  RobotArmStart() {
-    deployment_.task_dir =
-        std::filesystem::path(testing::TempDir()) /
-        testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::copy(ShippedDeployment().task_dir, deployment_.task_dir,
-                          std::filesystem::copy_options::recursive);
-  }
-  ~RobotArmStart() override {
-    std::filesystem::remove_all(deployment_.task_dir);
-  }
-
   void Change(const std::string& from, const std::string& to) const {
-    const std::filesystem::path path = deployment_.task_dir / "cell.yaml";
-    std::stringstream stream;
-    stream << std::ifstream(path).rdbuf();
-    std::string text = stream.str();
-    text.replace(text.find(from), from.size(), to);
-    std::ofstream(path) << text;
+    deployment_.Change("cell.yaml", from, to);
   }
   /// Nothing if it starts.
   std::string WhyRefused(const std::string& arm) const {
     Stepper stepper(Stepper::Params{.name = "robot_arm@" + arm});
     try {
-      MakeRobotArm(stepper, deployment_, arm);
+      MakeRobotArm(stepper, deployment_.get(), arm);
     } catch (const ConfigError& error) {
       return error.what();
     }
     return "";
   }
 
-  Deployment deployment_ = ShippedDeployment();
+  ChangedDeployment deployment_{ShippedDeployment()};
 };
 
 TEST_F(RobotArmStart, TheShippedCellIsAccepted) {
@@ -57,15 +40,83 @@ TEST_F(RobotArmStart, TheShippedCellIsAccepted) {
 }
 
 TEST_F(RobotArmStart, ACellWhoseArmsCollideAtHomeIsRefusedByFileAndKey) {
-  Change("xyz: [0.50, -0.05, 0.10]", "xyz: [-0.25, 0.30, 0.10]");
+  Change("xyz: [-0.40, 0.00", "xyz: [0.40, 0.00");
   EXPECT_THAT(WhyRefused("right"),
-              testing::ContainsRegex("cell.yaml:arms.left.home_deg: .*_left.* "
+              testing::ContainsRegex("cell.yaml:arms.left.home: .*_left.* "
                                      "would hit .*_right.*"));
 }
 
 TEST_F(RobotArmStart, AnArmThatTheCellDoesNotHaveIsRefused) {
   EXPECT_THAT(WhyRefused("third"),
               testing::HasSubstr("cell.yaml:arms: there is no arm 'third'"));
+}
+
+TEST_F(RobotArmStart, AHomeOutOfTheModelsReachIsRefusedByFileAndKey) {
+  Change("right:\n    model: ur5", "right:\n    model: ur3e");
+  EXPECT_THAT(WhyRefused("left"),
+              testing::HasSubstr("cell.yaml:arms.right.home"
+                                 ": out of reach of a ur3e"));
+}
+
+/// The right arm's service in a cell whose right arm is a UR10e, whose first
+/// joint turns by 120 deg/s, and whose left arm is a UR5, by 180.
+class RobotArmBesideAnotherModel : public RobotArmStart {
+ protected:
+  RobotArmBesideAnotherModel() {
+    Change("right:\n    model: ur5", "right:\n    model: ur10e");
+    service_ = MakeRobotArm(stepper_, deployment_.get(), "right");
+  }
+
+  // Of an arm at home whose first joint turns at `speed` [rad/s].
+  arm_state_t StateOf(const std::string& arm, double speed) const {
+    const CellLayout layout =
+        CellLayout::FromConfig(deployment_.get().OfTask("cell.yaml"));
+    arm_state_t state{};
+    ToMessage(layout.FindArm(arm)->home, &state.num_joints, &state.position);
+    ToMessage(speed * Joints::Unit(0), &state.num_joints, &state.velocity);
+    return state;
+  }
+  void Put(const std::string& channel, const arm_state_t& state) {
+    const Message message{
+        .channel = channel,
+        .tick = tick_,
+        .seq = seq_++,
+        .bytes = std::make_shared<const Bytes>(Bus::Encode(state))};
+    ASSERT_EQ(stepper_.Accept(tick_++, {message}), Stepper::State::kReady);
+    for (const Message& output : stepper_.Run()) {
+      if (output.channel != "ALERT") continue;
+      alerts_.push_back(Decode<alert_t>(output)->text);
+    }
+  }
+
+  Stepper stepper_{Stepper::Params{.name = "robot_arm@right"}};
+  std::unique_ptr<Service> service_;
+  std::vector<std::string> alerts_;
+  int32_t tick_ = 0, seq_ = 0;
+};
+
+TEST_F(RobotArmBesideAnotherModel, EachArmsStateIsHeldAgainstItsOwnLimits) {
+  constexpr double kSpeed = 5;  // [rad/s] 2 x 120 deg/s < it < 2 x 180 deg/s
+  Put("ARM_STATE_LEFT", StateOf("left", kSpeed));
+  EXPECT_THAT(alerts_, testing::IsEmpty());
+  Put("ARM_STATE_RIGHT", StateOf("right", kSpeed));
+  EXPECT_THAT(alerts_, testing::ElementsAre(
+                           "ARM_STATE_RIGHT is rejected: faster than twice the "
+                           "speed of a ur10e"));
+  EXPECT_EQ(stepper_.num_rejected().size(), 1u);
+}
+
+TEST_F(RobotArmBesideAnotherModel, JointsOfAnotherNumberAreToldOfOnce) {
+  arm_state_t state = StateOf("left", 0);
+  state.position.push_back(0);
+  state.velocity.push_back(0);
+  state.num_joints = 7;
+  Put("ARM_STATE_LEFT", state);
+  Put("ARM_STATE_LEFT", state);
+  EXPECT_THAT(alerts_,
+              testing::ElementsAre("ARM_STATE_LEFT is rejected: 7 joints "
+                                   "instead of the 6 of a ur5"));
+  EXPECT_EQ(stepper_.num_rejected().at("ARM_STATE_LEFT"), 2);
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ constexpr double kTick = 1e-6 * kTickUs;  // [s]
 constexpr double kRounding = 1e-6;        // [rad], [rad/s], [m]
 constexpr double kMoves = 1e-3;           // [rad/s] faster than standing still
 
-LimitCheck::Breach WrongNumber(const std::string& subject, size_t number) {
-  return {Kind::kPosition, subject,
-          fmt::format("has {} joints instead of {}", number, kNumJoints)};
+LimitCheck::Breach WrongNumber(const std::string& subject,
+                               const std::string& reason) {
+  return {Kind::kPosition, subject, "has " + reason};
 }
 
 std::string JointName(int index) {
@@ -32,11 +32,10 @@ std::string JointName(int index) {
 std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
-  const auto position = JointsFromMessage(state.position);
-  const auto velocity = JointsFromMessage(state.velocity);
-  if (!position || !velocity) {
-    return {WrongNumber("state", state.position.size())};
-  }
+  const auto position = JointsFromMessage(state.position, *arm_.model);
+  if (!position) return {WrongNumber("state", position.reason())};
+  const auto velocity = JointsFromMessage(state.velocity, *arm_.model);
+  if (!velocity) return {WrongNumber("state", velocity.reason())};
   const Joints& q = *position;
   const double speed = velocity->cwiseAbs().maxCoeff();
   for (int i = 0; i < kNumJoints; ++i) {
@@ -68,8 +67,8 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(
     const arm_setpoint_t& setpoint) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
-  const auto goals = JointsFromMessage(setpoint.position);
-  if (!goals) return {WrongNumber("set-point", setpoint.position.size())};
+  const auto goals = JointsFromMessage(setpoint.position, *arm_.model);
+  if (!goals) return {WrongNumber("set-point", goals.reason())};
   for (int i = 0; i < kNumJoints; ++i) {
     const double goal = (*goals)[i];
     if (!(std::abs(goal) <= limits.angle[i] + kRounding)) {

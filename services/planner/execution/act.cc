@@ -36,7 +36,8 @@ bool MayHandOver(const GroundAction& action, const SkillRequest& request,
                  const ExecutionContext& context, const State& state) {
   const SkillTraits* traits =
       context.dispatch.arms().TraitsOf(request.arm, request.skill);
-  return traits != nullptr && traits->may_run_beside &&
+  // Out of its turn another skill could undo what an earlier step needs.
+  return traits != nullptr && traits->may_run_beside && traits->hands_over &&
          context.dispatch.IsFree(request.arm) &&
          !context.dispatch.failures().Blocked().contains(action) &&
          IsSurelyPossible(context.plan.rules(), action, state) &&
