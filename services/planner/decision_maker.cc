@@ -34,10 +34,8 @@ DecisionMaker::Answer DecisionMaker::ReplaceRules(
 }
 
 Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
-  if (episode.has_joined_late && episode_ == episode.id) return {};
   Decisions out = state_->Conclude(now);
   state_ = std::make_unique<Idle>();
-  episode_ = episode.id;
   Decisions begun = Begin(episode, now);
   out.sense = begun.sense;
   out.alerts.insert(out.alerts.end(), begun.alerts.begin(), begun.alerts.end());
@@ -54,7 +52,6 @@ Decisions DecisionMaker::Begin(const Episode& episode, Instant now) {
   }
   const Goal* goal = FindGoal(episode.goal);
   if (goal == nullptr) return {.alerts = {BadInput(NoGoal(episode.goal), now)}};
-  start_utime_ = episode.has_joined_late ? 0 : episode.utime;
   if (agent == Agent::kRobot) {
     state_ = std::make_unique<Execute>(rules_, *goal, params_.make_solver,
                                        params_.execution, may_act_, now);

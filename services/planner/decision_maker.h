@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,8 +13,6 @@ namespace cell::planner {
 
 /// An episode that begins, or that runs when the planner starts.
 struct Episode {
-  int64_t id = 0;
-  int64_t utime = 0;  ///< [us] of its start, unless has_joined_late
   bool has_joined_late = false;
   std::string agent;  ///< who is to reach the goal: person or robot
   std::string goal;   ///< name
@@ -56,8 +53,6 @@ class DecisionMaker {
   Answer SetGoal(const std::string& name);
   void SetPermission(bool may_act, Instant now);
 
-  /// True of what was measured before the episode.
-  bool IsOutdated(int64_t utime) const { return utime < start_utime_; }
   /// Takes all other inputs.
   DecisionState& state() { return *state_; }
 
@@ -70,8 +65,6 @@ class DecisionMaker {
   Params params_;
   std::unique_ptr<DecisionState> state_;
   bool may_act_ = false;
-  std::optional<int64_t> episode_;  // id of the last that was taken up
-  int64_t start_utime_ = 0;         // of the episode
 };
 
 }  // namespace cell::planner

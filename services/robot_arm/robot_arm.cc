@@ -111,14 +111,14 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
 }
 
 bool RobotArm::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) {
     worker_ = std::make_unique<ArmWorker>(params_.worker);
     start_utime_ = bus_.now();
     last_report_ = {};
     was_held_ = false;
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 const ArmModel& RobotArm::ModelOf(const std::string& arm) const {

@@ -11,7 +11,6 @@
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/motion_plan_t.hpp"
 #include "cell/skill_request_t.hpp"
@@ -19,6 +18,7 @@
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
 #include "services/robot_arm/arm_worker.h"
@@ -57,6 +57,7 @@ class RobotArm final : public Service {
   ArmWorker::MotionPermission Permission() const;
 
   Bus& bus_;
+  EpisodeGate episode_;
   Params params_;
   std::string name_, suffix_;
   std::vector<skill_traits_t> skills_;

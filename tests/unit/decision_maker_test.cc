@@ -26,8 +26,7 @@ class Deciding : public testing::Test {
 
   Decisions Begin(const std::string& agent, const std::string& goal = "done",
                   bool has_joined_late = false) {
-    return maker_.OnEpisode(
-        {++episode_, now_.utime, has_joined_late, agent, goal}, now_);
+    return maker_.OnEpisode({has_joined_late, agent, goal}, now_);
   }
   Decisions Sense(const std::set<std::string>& is_true) {
     return maker_.state().OnSensed(
@@ -64,7 +63,6 @@ class Deciding : public testing::Test {
   DecisionMaker maker_{
       bench_.rules,
       {.goals = bench_.domain.goals(), .make_solver = PlanSearch::Maker({})}};
-  int64_t episode_ = 0;
   int64_t key_frame_ = 0;
 };
 
@@ -102,22 +100,9 @@ TEST_F(Deciding, AnUnknownAgentOrGoalIsSaidAndNobodyActs) {
   }
 }
 
-TEST_F(Deciding, ALateStartIsTakenUpOnce) {
-  EXPECT_TRUE(Begin("person", "done", true).sense);
-  --episode_;
-  EXPECT_FALSE(Begin("person", "done", true).sense);
-  EXPECT_FALSE(maker_.IsOutdated(0));
-}
-
 TEST_F(Deciding, AnEpisodeOfWhichTheStartWasLostIsTakenUp) {
   Begin("robot");
   EXPECT_TRUE(Begin("person", "done", true).sense);
-}
-
-TEST_F(Deciding, WhatWasMeasuredBeforeTheEpisodeIsOutdated) {
-  Begin("person");
-  EXPECT_TRUE(maker_.IsOutdated(now_.utime - 1));
-  EXPECT_FALSE(maker_.IsOutdated(now_.utime));
 }
 
 TEST_F(Deciding, RefusesAGoalThatIsNotThereAndAnyWithoutAnEpisode) {
