@@ -1,6 +1,7 @@
 #include "services/planner/decision_maker.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "services/planner/execute.h"
@@ -28,9 +29,9 @@ DecisionMaker::DecisionMaker(std::shared_ptr<const RuleSet> rules,
 
 DecisionMaker::Answer DecisionMaker::ReplaceRules(
     std::shared_ptr<const RuleSet> rules) {
-  if (auto refusal = rules->WhyNotReplace(*rules_)) return {std::move(refusal)};
+  if (const auto why = rules->WhyNotReplace(*rules_)) return Reason{*why};
   rules_ = std::move(rules);
-  return {std::nullopt, state_->SetRules(rules_)};
+  return state_->SetRules(rules_);
 }
 
 Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
@@ -70,12 +71,12 @@ void DecisionMaker::OnEpisodeEnd(Instant now) {
 
 DecisionMaker::Answer DecisionMaker::SetGoal(const std::string& name) {
   const Goal* goal = FindGoal(name);
-  if (goal == nullptr) return {NoGoal(name)};
+  if (goal == nullptr) return Reason{NoGoal(name)};
   if (!state_->HasGoal()) {
-    return {
+    return Reason{
         "no episode runs that could have another goal (cell episode start)"};
   }
-  return {std::nullopt, state_->SetGoal(*goal)};
+  return state_->SetGoal(*goal);
 }
 
 void DecisionMaker::SetPermission(bool may_act, Instant now) {

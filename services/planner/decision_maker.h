@@ -1,10 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/result/result.h"
 #include "services/planner/decision_state.h"
 #include "services/planner/execution/execution_context.h"
 #include "services/planner/watch.h"
@@ -34,11 +34,8 @@ class DecisionMaker {
     Watch::Params watch = {};
     ExecutionParams execution = {};
   };
-  /// Refused for a reason, or accepted and what follows from it.
-  struct Answer {
-    std::optional<std::string> refusal = {};
-    Decisions decisions = {};
-  };
+  /// What follows from what it was told, or why that is refused.
+  using Answer = Result<Decisions>;
 
   DecisionMaker(std::shared_ptr<const RuleSet> rules, Params params);
 

@@ -76,8 +76,8 @@ bool Planner::OnEpisode(const episode_t& message) {
 
 CommandAnswer Planner::OnGoal(const command_goal_t& message) {
   const DecisionMaker::Answer answer = decision_maker_->SetGoal(message.goal);
-  if (answer.refusal) return CommandAnswer::Refuse(*answer.refusal);
-  Publish(answer.decisions);
+  if (!answer) return CommandAnswer::Refuse(answer.reason());
+  Publish(*answer);
   return CommandAnswer::Accept("the episode's goal is now " + message.goal);
 }
 
@@ -116,8 +116,8 @@ bool Planner::OnRecord(const action_record_t& message) {
     const int64_t version = decision_maker_->rules().version() + 1;
     const DecisionMaker::Answer answer = decision_maker_->ReplaceRules(
         RuleSet::FromDomain(domain_, record.name, version));
-    if (answer.refusal) return refuse(*answer.refusal);
-    Publish(answer.decisions);
+    if (!answer) return refuse(answer.reason());
+    Publish(*answer);
     return true;
   } catch (const ConfigError& e) {
     return refuse(e.what());

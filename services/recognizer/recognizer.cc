@@ -87,9 +87,11 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
 }
 
 bool Recognizer::OnRecord(const action_record_t& message) {
-  const ActionModels::Update update = actions_.Take(FromMessage(message));
-  if (update.has_changed) recognition_->Use(params_.make_library(actions_));
-  return update.refusal.empty();
+  const auto update = actions_.Take(FromMessage(message));
+  if (update && *update == ActionModels::Update::kChanged) {
+    recognition_->Use(params_.make_library(actions_));
+  }
+  return bool(update);
 }
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus,
