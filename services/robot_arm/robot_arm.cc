@@ -58,6 +58,11 @@ bool IsSame(const arm_report_t& a, const arm_report_t& b) {
          a.reachable == b.reachable;
 }
 
+bool IsPersonsHand(const CellLayout& layout, const std::string& name) {
+  return std::ranges::find(layout.hands, name, &CellLayout::Hand::name) !=
+         layout.hands.end();
+}
+
 std::vector<skill_traits_t> TraitsOf(const ArmLayout& arm) {
   std::vector<skill_traits_t> skills;
   for (const Skill* skill : SkillsOf(arm.X_FS.has_value())) {
@@ -77,9 +82,6 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
       suffix_(ChannelSuffix(name_)),
       skills_(TraitsOf(*params.worker.layout.FindArm(name_))),
       worker_(std::make_unique<ArmWorker>(params_.worker)) {
-  for (const auto& hand : params_.worker.layout.hands) {
-    persons_hands_.insert(hand.name);
-  }
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const auto& m) { return OnEpisode(m); });
   bus.Subscribe<motion_permit_t>(
@@ -178,7 +180,7 @@ bool RobotArm::OnTracks(const tracks_t& message) {
     if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
       poses.emplace(track.name, track.X_WO);
     }
-    if (persons_hands_.contains(track.name)) {
+    if (IsPersonsHand(params_.worker.layout, track.name)) {
       hands.insert(hands.end(), track.points.begin(), track.points.end());
     }
   }

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -61,7 +60,6 @@ class RobotArm final : public Service {
   Params params_;
   std::string name_, suffix_;
   std::vector<skill_traits_t> skills_;
-  std::set<std::string> persons_hands_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
