@@ -55,6 +55,10 @@ class RobotArm final : public Service {
   void PublishReport();
   ArmWorker::MotionPermission Permission() const;
 
+  struct SensedAt {
+    ArmReading::SensedWrench wrench;
+    int64_t utime = 0;  ///< of its arrival
+  };
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
@@ -63,8 +67,7 @@ class RobotArm final : public Service {
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
-  std::optional<ArmReading::SensedWrench> wrench_;
-  int64_t wrench_utime_ = 0;
+  std::optional<SensedAt> wrench_;
   std::string why_stopped_ = "its device has not said why";
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor
