@@ -12,22 +12,22 @@ ActionModels::ActionModels(Domain domain, PartTable parts,
       parts_(std::move(parts)),
       models_(std::move(models)) {}
 
-ActionModels::Update ActionModels::Take(const ActionRecord& record) {
+Result<ActionModels::Update> ActionModels::Take(const ActionRecord& record) {
   ActionModel model;
   try {
     model = ReadActionModel(record, domain_, parts_);
   } catch (const ConfigError& e) {
-    return {false, e.what()};
+    return Reason{e.what()};
   }
   domain_.Put(model.action);
   const auto place = static_cast<size_t>(*domain_.FindAction(record.name));
   if (place == models_.size()) {
     models_.push_back(std::move(model));
-    return {true, ""};
+    return Update::kChanged;
   }
-  if (models_[place] == model) return {};
+  if (models_[place] == model) return Update::kNone;
   models_[place] = std::move(model);
-  return {true, ""};
+  return Update::kChanged;
 }
 
 }  // namespace cell

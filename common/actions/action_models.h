@@ -1,12 +1,12 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "common/actions/action_model.h"
 #include "common/actions/action_record.h"
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
+#include "common/result/result.h"
 
 namespace cell {
 
@@ -15,10 +15,7 @@ namespace cell {
 /// value; what others hold of it they must take anew when it changes.
 class ActionModels {
  public:
-  struct Update {
-    bool has_changed = false;
-    std::string refusal;  ///< why it was not taken; empty: it was
-  };
+  enum class Update { kNone, kChanged };
 
   /// @pre `models` are those of the domain's actions, in their order.
   ActionModels(Domain domain, PartTable parts, std::vector<ActionModel> models);
@@ -30,7 +27,7 @@ class ActionModels {
 
   /// A record whose model is known as it is changes nothing. Refused is one
   /// that makes no sense in the domain, in the words of ReadActionModel().
-  Update Take(const ActionRecord& record);
+  Result<Update> Take(const ActionRecord& record);
 
  private:
   Domain domain_;

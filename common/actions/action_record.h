@@ -16,9 +16,10 @@ struct ActionRecord {
     bool operator==(const Argument&) const = default;
   };
   static constexpr size_t kMaxBytes = 65'536;  ///< of all of it, as JSON
+  static constexpr int64_t kMaxVersion = 1'000'000'000;
 
   int64_t id = 0;       ///< from 1 in the order of storing; 0: not stored
-  int64_t version = 1;  ///< counts the records of this name
+  int64_t version = 1;  ///< counts the records of this name from 1
   std::string name;     ///< its symbol
   std::vector<Argument> arguments;
   std::vector<std::string> agents;  ///< person, robot

@@ -177,10 +177,6 @@ class Search {
   std::mt19937_64 random_;
 };
 
-size_t IndexOf(const std::vector<Joints>& goals, const Joints& q) {
-  return static_cast<size_t>(std::ranges::find(goals, q) - goals.begin());
-}
-
 }  // namespace
 
 PathPlannerParams::PathPlannerParams(const ArmModel& model)
@@ -211,9 +207,9 @@ JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
                    const std::vector<Joints>& vias,
                    const WhyBlockedAt& why_blocked,
                    const PathPlannerParams& params) {
-  if (goals.empty()) return {{}, 0, "there is no goal"};
+  if (goals.empty()) return Reason{"there is no goal"};
   if (const auto why = why_blocked(start)) {
-    return {{}, 0, "where it stands, " + *why};
+    return Reason{"where it stands, " + *why};
   }
   std::vector<Joints> open;
   std::string reason;
@@ -222,29 +218,27 @@ JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
     if (!why) open.push_back(goal);
     if (why && reason.empty()) reason = "at the goal, " + *why;
   }
-  if (open.empty()) return {{}, 0, reason};
+  if (open.empty()) return Reason{reason};
 
   Search search(why_blocked, params);
   for (const Joints& goal : open) {
-    if (search.IsFree(start, goal)) {
-      return {{start, goal}, IndexOf(goals, goal), ""};
-    }
+    if (search.IsFree(start, goal)) return std::vector<Joints>{start, goal};
   }
   for (const Joints& via : vias) {
     if (!search.IsFree(start, via)) continue;
     for (const Joints& goal : open) {
       if (search.IsFree(via, goal)) {
-        return {{start, via, goal}, IndexOf(goals, goal), ""};
+        return std::vector<Joints>{start, via, goal};
       }
     }
   }
   std::vector<Joints> path = search.GrowTrees(start, open);
   if (path.empty()) {
     const auto why = WhyEdgeBlocked(start, open.front(), why_blocked, params);
-    return {{}, 0, "no way around: " + why.value_or("the goal")};
+    return Reason{"no way around: " + why.value_or("the goal")};
   }
   search.Shorten(&path);
-  return {path, IndexOf(goals, path.back()), ""};
+  return path;
 }
 
 }  // namespace cell

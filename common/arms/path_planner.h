@@ -8,6 +8,7 @@
 
 #include "common/arms/arm_scene.h"
 #include "common/layout/arm_layout.h"
+#include "common/result/result.h"
 
 namespace cell {
 
@@ -32,13 +33,8 @@ struct PathPlannerParams {
   uint64_t seed = 1;
 };
 
-/// A way through joint space, or why there is none.
-struct JointPath {
-  std::vector<Joints> waypoints;  ///< from start to goal; none if there is none
-  size_t goal = 0;                ///< index of the goal it leads to
-  std::string reason;             ///< empty if there is one
-  explicit operator bool() const { return !waypoints.empty(); }
-};
+/// A way through joint space, from start to goal, or why there is none.
+using JointPath = Result<std::vector<Joints>>;
 
 /// Nothing if the straight line from `a` to `b` is free, else what is first in
 /// its way. `a` itself is not looked at.

@@ -43,11 +43,11 @@ Reach::Reach(const ArmScene& scene, const std::string& arm,
 Choices<GraspChoice> Reach::Grasps(const std::string& part_name,
                                    const Joints& seed) const {
   const auto X_WO = scene_.PoseOf(part_name);
-  if (!X_WO) return {{}, part_name + " is nowhere to be taken from"};
+  if (!X_WO) return Reason{part_name + " is nowhere to be taken from"};
   ReachSearch search(*arm_, params_);
   const ClearanceRule open{params_.clearance, {}};
   const ClearanceRule leaving = Grazing(part_name, *X_WO);
-  Choices<GraspChoice> choices;
+  std::vector<GraspChoice> choices;
   for (const auto& [choice, track] :
        search.ToGrasp(*scene_.parts().Find(part_name), *X_WO, seed)) {
     ArmScene holding = scene_;
@@ -58,10 +58,10 @@ Choices<GraspChoice> Reach::Grasps(const std::string& part_name,
         !search.IsFree(holding, track, choice.grip, choice.width, leaving)) {
       continue;
     }
-    choices.list.push_back(choice);
-    if (choices.list.size() == params_.max_choices) break;
+    choices.push_back(choice);
+    if (choices.size() == params_.max_choices) break;
   }
-  if (!choices) choices.reason = search.reason();
+  if (choices.empty()) return Reason{search.reason()};
   return choices;
 }
 
@@ -71,7 +71,7 @@ Choices<PlaceChoice> Reach::Placements(const std::string& part_name,
                                        const PlaceTarget& target,
                                        const Joints& seed) const {
   const Part* part = scene_.parts().Find(part_name);
-  if (part == nullptr) return {{}, "there is no part " + part_name};
+  if (part == nullptr) return Reason{"there is no part " + part_name};
   ReachSearch search(*arm_, params_);
   ArmScene holding = scene_;
   holding.Hold(arm_name_, part_name, X_GO);
@@ -79,7 +79,7 @@ Choices<PlaceChoice> Reach::Placements(const std::string& part_name,
   const ClearanceRule open{params_.clearance, {}};
   const double opening =
       std::min(width + params_.open_margin, arm_->hand.max_opening);
-  Choices<PlaceChoice> choices;
+  std::vector<PlaceChoice> choices;
   for (const auto& [choice, track] :
        search.ToPlace(*part, X_GO, target, seed)) {
     ArmScene placed = scene_;
@@ -89,10 +89,10 @@ Choices<PlaceChoice> Reach::Placements(const std::string& part_name,
         !search.IsFree(placed, track, grip, opening, open)) {
       continue;
     }
-    choices.list.push_back(choice);
-    if (choices.list.size() == params_.max_choices) break;
+    choices.push_back(choice);
+    if (choices.size() == params_.max_choices) break;
   }
-  if (!choices) choices.reason = search.reason();
+  if (choices.empty()) return Reason{search.reason()};
   return choices;
 }
 
@@ -124,25 +124,28 @@ Choices<TransferChoice> Reach::Transfers(const std::string& part,
                                          size_t max_choices) const {
   const ArmModel& model = *arm_->model;
   const Choices<GraspChoice> grasps = Grasps(part, seed);
-  Choices<TransferChoice> choices;
-  choices.reason = grasps.reason;
-  std::vector<TransferChoice> others;
-  for (const GraspChoice& grasp : grasps.list) {
+  if (!grasps) return Reason{grasps.reason()};
+  std::string reason;
+  std::vector<TransferChoice> choices, others;
+  for (const GraspChoice& grasp : *grasps) {
     const Choices<PlaceChoice> places =
         Placements(part, grasp.X_OG.inverse(), grasp.grip, grasp.width, target,
                    grasp.q_approach);
-    if (choices.reason.empty()) choices.reason = places.reason;
-    for (const PlaceChoice& place : places.list) {
+    if (!places) {
+      if (reason.empty()) reason = places.reason();
+      continue;
+    }
+    for (const PlaceChoice& place : *places) {
       const bool is_same = model.ConfigurationOf(grasp.q_grasp) ==
                            model.ConfigurationOf(place.q_place);
-      (is_same ? choices.list : others).push_back({grasp, place, is_same});
+      (is_same ? choices : others).push_back({grasp, place, is_same});
       if (is_same) break;
     }
-    if (choices.list.size() >= max_choices) break;
+    if (choices.size() >= max_choices) break;
   }
-  choices.list.insert(choices.list.end(), others.begin(), others.end());
-  if (choices.list.size() > max_choices) choices.list.resize(max_choices);
-  if (choices) choices.reason.clear();
+  choices.insert(choices.end(), others.begin(), others.end());
+  if (choices.empty()) return Reason{reason};
+  if (choices.size() > max_choices) choices.resize(max_choices);
   return choices;
 }
 

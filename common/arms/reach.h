@@ -6,6 +6,7 @@
 
 #include "common/arms/arm_scene.h"
 #include "common/arms/straight_line.h"
+#include "common/result/result.h"
 
 namespace cell {
 
@@ -63,11 +64,7 @@ struct TransferChoice {
 
 /// Best first; if there is none, why, e.g. "out of reach".
 template <class Choice>
-struct Choices {
-  std::vector<Choice> list;
-  std::string reason;
-  explicit operator bool() const { return !list.empty(); }
-};
+using Choices = Result<std::vector<Choice>>;
 
 /// Which ways an arm has to take parts and to place them, among what stands in
 /// the scene. Each is within the joint limits and the arm's workspace, regular,

@@ -111,10 +111,10 @@ std::vector<std::vector<Joints>> ReachSearch::Tracks(
     }
     StraightLine line = TrackLine(arm_, q, X_WG_begin, params_.line);
     if (!line) {
-      Fail(Stage::kRegular, line.reason);
+      Fail(Stage::kRegular, line.reason());
       continue;
     }
-    tracks.push_back(std::move(line.track));
+    tracks.push_back(*std::move(line));
   }
   return tracks;
 }

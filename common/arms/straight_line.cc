@@ -46,26 +46,23 @@ std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,
 StraightLine TrackLine(const ArmLayout& arm, const Joints& start,
                        const Isometry3d& X_WG,
                        const StraightLineParams& params) {
-  const auto fails = [](const char* reason) {
-    return StraightLine{{}, reason};
-  };
   const Isometry3d X_WG_start = GripperPose(arm, start);
   const int num_steps = NumSteps(X_WG_start, X_WG, params.step);
-  if (arm.model->IsNearSingularity(start)) return fails("near a singularity");
-  StraightLine line{{start}, ""};
+  if (arm.model->IsNearSingularity(start)) return Reason{"near a singularity"};
+  std::vector<Joints> line = {start};
   for (int i = 1; i <= num_steps; ++i) {
-    const Joints& last = line.track.back();
+    const Joints& last = line.back();
     const auto q = TrackPose(
         arm, PoseBetween(X_WG_start, X_WG, double(i) / num_steps), last);
-    if (!q) return fails("out of reach");
+    if (!q) return Reason{"out of reach"};
     if ((*q - last).cwiseAbs().maxCoeff() > params.max_jump) {
-      return fails("at a joint limit");
+      return Reason{"at a joint limit"};
     }
     if (arm.model->LimitMargin(*q) < params.joint_margin) {
-      return fails("at a joint limit");
+      return Reason{"at a joint limit"};
     }
-    if (arm.model->IsNearSingularity(*q)) return fails("near a singularity");
-    line.track.push_back(*q);
+    if (arm.model->IsNearSingularity(*q)) return Reason{"near a singularity"};
+    line.push_back(*q);
   }
   return line;
 }

@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "common/layout/arm_layout.h"
+#include "common/result/result.h"
 
 namespace cell {
 
@@ -25,12 +25,9 @@ std::optional<Joints> TrackPose(const ArmLayout& arm,
 std::optional<Joints> RaisedBy(double height, const ArmLayout& arm,
                                const Joints& q);
 
-/// A motion of the gripper along a straight line, or why it cannot be.
-struct StraightLine {
-  std::vector<Joints> track;  ///< from the first joints on; none if it cannot
-  std::string reason;
-  explicit operator bool() const { return !track.empty(); }
-};
+/// A motion of the gripper along a straight line, from the first joints on, or
+/// why it cannot be.
+using StraightLine = Result<std::vector<Joints>>;
 
 struct StraightLineParams {
   double step = 0.010;         ///< [m] and, times 10, [rad] of the gripper

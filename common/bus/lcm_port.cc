@@ -53,7 +53,7 @@ LcmAddress LcmAddress::Parse(const std::string& url) {
                                 "': the group must be an address of multicast, "
                                 "224.0.0.0 to 239.255.255.255");
   }
-  const auto port = ParseDecimal<int>(match[2].str()).value;
+  const auto port = ParseDecimal<int>(match[2].str());
   if (!port || *port < 1024 || *port > 65534) {
     throw std::invalid_argument("'" + url +
                                 "': the port and the next one must lie in "
@@ -61,7 +61,7 @@ LcmAddress LcmAddress::Parse(const std::string& url) {
   }
   address.port = *port;
   if (!match[4].matched) return address;
-  const auto ttl = ParseDecimal<int>(match[4].str()).value;
+  const auto ttl = ParseDecimal<int>(match[4].str());
   if (!ttl || *ttl > 255) {
     throw std::invalid_argument("'" + url + "': ttl must lie in [0, 255]");
   }

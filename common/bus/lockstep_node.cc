@@ -21,10 +21,9 @@ LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
                            int64_t nonce, const ServiceFactory& factory,
                            Link link)
     : name_(name),
-      index_(roster.RequireIndexOf(name)),
       nonce_(nonce),
       link_(std::move(link)),
-      stepper_(StepperParams(roster, index_, 0)),
+      stepper_(StepperParams(roster, roster.RequireIndexOf(name), 0)),
       service_(factory(stepper_)) {}
 
 void LockstepNode::PutData(Message message) {

@@ -65,7 +65,6 @@ class LockstepNode {
   void FinishActivation();
 
   std::string name_;
-  size_t index_;
   int64_t nonce_;
   Link link_;
   Stepper stepper_;

@@ -165,20 +165,6 @@ void Config::FailAt(const std::string& path, int line,
                                   shared_->has_lines ? line : 0, message));
 }
 
-std::string Config::Text() const {
-  MarkUsed();
-  return YAML::Dump(node_);
-}
-
-void Config::PassOver() const {
-  MarkUsed();
-  if (node_.IsMap()) {
-    for (const auto& [key, entry] : Entries()) entry.PassOver();
-  } else if (node_.IsSequence()) {
-    for (const Config& item : Items()) item.PassOver();
-  }
-}
-
 const std::string& Config::file() const {
   return shared_->file;
 }
@@ -201,11 +187,12 @@ const std::string& Config::Scalar(const char* what) const {
 template <class T>
 void Config::ReadNumber(const char* what, T* value) const {
   const std::string& text = Scalar(what);
-  const Decimal<T> number = ParseDecimal<T>(text);
-  if (!number.value) {
-    Fail(fmt::format("cannot be read as {}: '{}' {}", what, text, number.why));
+  const Result<T> number = ParseDecimal<T>(text);
+  if (!number) {
+    Fail(fmt::format("cannot be read as {}: '{}' {}", what, text,
+                     number.reason()));
   }
-  *value = *number.value;
+  *value = *number;
 }
 
 void Config::Read(int* value) const {

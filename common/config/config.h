@@ -64,10 +64,6 @@ class Config {
 
   /// @throws ConfigError "file:key: message (line 3)".
   [[noreturn]] void Fail(const std::string& message) const;
-  /// The node as YAML that stands for itself.
-  std::string Text() const;
-  /// Marks all that stands below as read.
-  void PassOver() const;
   const std::string& path() const { return path_; }
   const std::string& file() const;
 

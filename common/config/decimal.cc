@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 
 namespace cell {
@@ -32,7 +33,7 @@ std::string WhyNot(std::string_view text, bool is_read, bool is_beyond) {
 }  // namespace
 
 template <class T>
-Decimal<T> ParseDecimal(std::string_view text) {
+Result<T> ParseDecimal(std::string_view text) {
   // from_chars() knows no plus.
   const std::string_view digits = WithoutSign(text);
   const std::string_view read = text.starts_with('+') ? digits : text;
@@ -48,13 +49,13 @@ Decimal<T> ParseDecimal(std::string_view text) {
     if (is_read && !std::isfinite(value)) why = "is not a finite number";
     if (digits == ".nan" || digits == ".inf") why = "is not a finite number";
   }
-  if (!why.empty()) return {std::nullopt, why};
-  return {value, ""};
+  if (!why.empty()) return Reason{why};
+  return value;
 }
 
-template Decimal<int> ParseDecimal(std::string_view);
-template Decimal<int64_t> ParseDecimal(std::string_view);
-template Decimal<uint64_t> ParseDecimal(std::string_view);
-template Decimal<double> ParseDecimal(std::string_view);
+template Result<int> ParseDecimal(std::string_view);
+template Result<int64_t> ParseDecimal(std::string_view);
+template Result<uint64_t> ParseDecimal(std::string_view);
+template Result<double> ParseDecimal(std::string_view);
 
 }  // namespace cell

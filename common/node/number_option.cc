@@ -27,12 +27,11 @@ std::string RangeText(T low, T high) {
 template <class T>
 CLI::Validator NumberIn(T low, T high) {
   const auto check = [low, high](std::string& text) -> std::string {
-    const Decimal<T> number = ParseDecimal<T>(text);
-    const bool is_inside =
-        number.value && *number.value >= low && *number.value <= high;
+    const Result<T> number = ParseDecimal<T>(text);
+    const bool is_inside = number && *number >= low && *number <= high;
     if (is_inside) return "";
     return fmt::format("'{}' {}; should be a {}number{}", text,
-                       number.value ? "is out of range" : number.why,
+                       number ? "is out of range" : number.reason(),
                        std::is_integral_v<T> ? "whole " : "",
                        RangeText(low, high));
   };

@@ -62,10 +62,10 @@ class Entries {
     return it->second;
   }
   int64_t Number(const std::string& key, const std::string& word) const {
-    const Decimal<int64_t> number = ParseDecimal<int64_t>(word);
-    if (number.value && *number.value >= 0) return *number.value;
+    const Result<int64_t> number = ParseDecimal<int64_t>(word);
+    if (number && *number >= 0) return *number;
     Fail(path_, fmt::format("{} '{}' {}", key, word,
-                            number.value ? "is negative" : number.why));
+                            number ? "is negative" : number.reason()));
   }
   int64_t Number(const std::string& key) const {
     const Words& words = (*this)[key];
@@ -215,10 +215,10 @@ bool IsValueOf(const Field& field, const std::string& word) {
         word.substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0);
     if (IsOneOf(digits, {"nan", "NaN", "NAN", "inf", "Inf", "INF"}))
       return true;
-    return ParseDecimal<double>(word).value.has_value();
+    return bool(ParseDecimal<double>(word));
   }
-  const auto value = ParseDecimal<int64_t>(word).value;
-  if (!value) return field.size == 8 && ParseDecimal<uint64_t>(word).value;
+  const auto value = ParseDecimal<int64_t>(word);
+  if (!value) return field.size == 8 && ParseDecimal<uint64_t>(word);
   const int num_bits = 8 * field.size - (field.type == 'I' ? 1 : 0);
   if (num_bits >= 63) return field.type == 'I' || *value >= 0;
   const int64_t end = int64_t{1} << num_bits;

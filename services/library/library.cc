@@ -58,12 +58,11 @@ bool Library::OnTick(std::span<const uint8_t> bytes) {
 }
 
 bool Library::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START ||
-      (message.phase == episode_t::RUNNING && !has_published_)) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins || event == EpisodeEvent::kJoins) {
     PublishAll(message.header.utime);
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 CommandAnswer Library::OnRequest(const library_request_t& message) {
@@ -108,7 +107,6 @@ void Library::Publish(const ActionRecord& record, int64_t utime) {
 }
 
 void Library::PublishAll(int64_t utime) {
-  has_published_ = true;
   for (const ActionRecord& record : store_->All()) Publish(record, utime);
 }
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "cell/action_record_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "services/library/action_store.h"
 #include "services/library/record_check.h"
@@ -37,10 +37,10 @@ class Library final : public Service {
   void PublishAll(int64_t utime);
 
   Bus& bus_;
+  EpisodeGate episode_;
   std::shared_ptr<ActionStore> store_;
   RecordCheck check_;
   bool has_joined_ = false;
-  bool has_published_ = false;  // all of them, in this life
 };
 
 /// `store` outlives the lives that share it.

@@ -94,6 +94,10 @@ std::optional<Refusal> RecordCheck::NameRefusal(
                     "and _, {} in all",
                     kMaxName));
   }
+  if (record.version < 1 || record.version > ActionRecord::kMaxVersion) {
+    return Invalid(fmt::format("it has the version {}; 1 to {} are kept",
+                               record.version, ActionRecord::kMaxVersion));
+  }
   const auto known = store.FindNamed(record.name);
   if (known && record.version <= known->version) {
     return Refusal{

@@ -106,6 +106,10 @@ ActionRecord RecordFromJson(const json& object, const std::string& where) {
   ActionRecord record;
   record.id = NumberAt(object, "id", where);
   record.version = NumberAt(object, "version", where);
+  if (record.version < 1 || record.version > ActionRecord::kMaxVersion) {
+    Fail(where + ".version",
+         fmt::format("is not 1 to {}", ActionRecord::kMaxVersion));
+  }
   record.name = TextAt(object, "name", where);
   for (const json& item : ListAt(object, "arguments", where)) {
     const std::string place =

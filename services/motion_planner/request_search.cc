@@ -77,8 +77,11 @@ MotionPlan BestWithWay(const ArmLayout& arm, const Choose& choices,
   TriedWays tried(arm);
   for (const size_t most : {kBestFew, kAll}) {
     const auto found = choices(most);
-    if (!found && none.reason.empty()) none.reason = found.reason;
-    for (const auto& choice : found.list) {
+    if (!found) {
+      if (none.reason.empty()) none.reason = found.reason();
+      continue;
+    }
+    for (const auto& choice : *found) {
       if (!tried.Add(choice.q_approach)) continue;
       MotionPlan planned = plan(choice);
       if (planned) return planned;
@@ -109,15 +112,15 @@ RequestSearch::RequestSearch(const MotionSearch::Params& params,
     : params_(params),
       request_(request),
       scene_(std::move(scene)),
-      later_(scene_),
       arm_(*params.layout.FindArm(request.arm)),
       state_(request.arms.at(request.arm)),
       reach_(ReachParamsOf(params)) {
   for (const ArmLayout& other : params.layout.arms) {
     if (other.name == arm_.name) continue;
     const ArmPosture home = HomePosture(other);
-    is_same_later_ &= IsSame(scene_.PostureOf(other.name), home);
-    later_.SetPosture(other.name, home);
+    if (IsSame(scene_.PostureOf(other.name), home)) continue;
+    if (!later_) later_ = scene_;
+    later_->SetPosture(other.name, home);
   }
 }
 
@@ -125,8 +128,8 @@ RequestSearch::RequestSearch(const MotionSearch::Params& params,
 template <class Find>
 auto RequestSearch::NowOrLater(const Find& find) const {
   auto now = find(scene_);
-  if (now || is_same_later_) return now;
-  auto later = find(later_);
+  if (now || !later_) return now;
+  auto later = find(*later_);
   return later ? later : now;
 }
 
@@ -135,8 +138,8 @@ MotionPlan RequestSearch::FindWay(const ArmPosture& from,
   return NowOrLater([&](const ArmScene& scene) {
     JointPath path = PlanWay(scene, arm_.name, from, to, params_.motion);
     MotionPlan plan;
-    plan.waypoints = std::move(path.waypoints);
-    plan.reason = std::move(path.reason);
+    plan.reason = path.reason();
+    if (path) plan.waypoints = *std::move(path);
     return plan;
   });
 }
@@ -164,10 +167,9 @@ Choices<GraspChoice> RequestSearch::GraspsIn(const ArmScene& scene,
   if (!request_.target) return reach.Grasps(request_.part, q);
   const auto transfers = reach.Transfers(request_.part, *request_.target, q,
                                          most == kAll ? kAll : kBestTransfers);
-  Choices<GraspChoice> grasps{{}, transfers.reason};
-  for (const auto& transfer : transfers.list) {
-    grasps.list.push_back(transfer.grasp);
-  }
+  if (!transfers) return Reason{transfers.reason()};
+  std::vector<GraspChoice> grasps;
+  for (const auto& transfer : *transfers) grasps.push_back(transfer.grasp);
   return grasps;
 }
 
@@ -192,23 +194,23 @@ Choices<PlaceChoice> RequestSearch::PlacesIn(const ArmScene& scene,
   params.max_choices = most;
   const Reach reach(scene, arm_.name, params);
   const ArmPosture& posture = state_.posture;
-  auto places =
+  const auto places =
       reach.Placements(state_.held->part, state_.held->X_GO, posture.grip,
                        posture.opening, target, posture.q);
-  if (!places) places.reason = "its place: " + places.reason;
+  if (!places) return Reason{"its place: " + places.reason()};
   return places;
 }
 
 MotionPlan RequestSearch::FindSetDown() const {
   const auto place =
       NowOrLater([&](const ArmScene& scene) { return FreePlaceIn(scene); });
-  if (place) return FindPlacement(place.list.front());
+  if (place) return FindPlacement(*place);
   MotionPlan none;
-  none.reason = place.reason;
+  none.reason = place.reason();
   return none;
 }
 
-Choices<PlaceTarget> RequestSearch::FreePlaceIn(const ArmScene& scene) const {
+Result<PlaceTarget> RequestSearch::FreePlaceIn(const ArmScene& scene) const {
   const Part& part = *params_.parts.Find(state_.held->part);
   const double bottom = PartShape(part).LowestZ(Isometry3d::Identity());
   // The parts' table turns those by itself that look the same all round.
@@ -225,16 +227,16 @@ Choices<PlaceTarget> RequestSearch::FreePlaceIn(const ArmScene& scene) const {
         if (near.size() > 1) continue;  // than the table
         if (PlacesIn(scene, target, 1) &&
             (!request_.is_for_other_arm || CanOtherTake(scene, target.X_WO))) {
-          return {{target}, ""};
+          return target;
         }
       }
     }
   }
-  return {{},
-          request_.is_for_other_arm
-              ? "there is no free place on the table for the other arm to take "
-                "it from"
-              : "there is no free place on the table"};
+  return Reason{
+      request_.is_for_other_arm
+          ? "there is no free place on the table for the other arm to take "
+            "it from"
+          : "there is no free place on the table"};
 }
 
 /// What it holds, once it stands at X_WO and all arms are at home.

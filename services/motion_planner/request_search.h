@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "common/arms/arm_scene.h"
 #include "common/arms/motion_request.h"
@@ -15,6 +16,8 @@ class RequestSearch {
  public:
   RequestSearch(const MotionSearch::Params& params,
                 const MotionRequest& request, ArmScene scene);
+  RequestSearch(const RequestSearch&) = delete;
+  RequestSearch& operator=(const RequestSearch&) = delete;
 
   /// A grasp to which there is a way. With a target: so that the part can also
   /// be placed there.
@@ -31,14 +34,14 @@ class RequestSearch {
   Choices<GraspChoice> GraspsIn(const ArmScene& scene, size_t most) const;
   Choices<PlaceChoice> PlacesIn(const ArmScene& scene,
                                 const PlaceTarget& target, size_t most) const;
-  Choices<PlaceTarget> FreePlaceIn(const ArmScene& scene) const;
+  Result<PlaceTarget> FreePlaceIn(const ArmScene& scene) const;
   bool CanOtherTake(const ArmScene& scene, const Eigen::Isometry3d& X_WO) const;
 
   const MotionSearch::Params& params_;
   const MotionRequest& request_;
   ArmScene scene_;
-  ArmScene later_;  ///< the other arms have gone home
-  bool is_same_later_ = true;
+  std::optional<ArmScene>
+      later_;  ///< others have gone home; nothing: are there
   const ArmLayout& arm_;
   const MotionRequest::Arm& state_;  ///< of it
   ReachParams reach_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,7 +79,7 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
   // It may begin and end nearer to the border, but goes no further out.
   const double border =
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
-  JointPath none;
+  std::string reason;
   // Where it stands it stands: what is near there must not forbid to leave.
   for (const double clearance : {motion.clearance, kNear, kTouching}) {
     ClearanceRule rule{clearance, {}};
@@ -97,15 +98,13 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
       return ask(q);
     };
     if (auto waypoints = UpAndOver(from.q, to, vias, why_blocked, params)) {
-      return {*std::move(waypoints), 0, ""};
+      return *std::move(waypoints);
     }
     JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
     if (path) return path;
-    if (none.reason.empty()) {
-      none.reason = "there is no free way: " + path.reason;
-    }
+    if (reason.empty()) reason = "there is no free way: " + path.reason();
   }
-  return none;
+  return Reason{reason};
 }
 
 }  // namespace cell::motion_planner

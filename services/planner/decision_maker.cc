@@ -1,6 +1,7 @@
 #include "services/planner/decision_maker.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "common/text/nearest.h"
@@ -29,16 +30,14 @@ DecisionMaker::DecisionMaker(std::shared_ptr<const RuleSet> rules,
 
 DecisionMaker::Answer DecisionMaker::ReplaceRules(
     std::shared_ptr<const RuleSet> rules) {
-  if (auto refusal = rules->WhyNotReplace(*rules_)) return {std::move(refusal)};
+  if (const auto why = rules->WhyNotReplace(*rules_)) return Reason{*why};
   rules_ = std::move(rules);
-  return {std::nullopt, state_->SetRules(rules_)};
+  return state_->SetRules(rules_);
 }
 
 Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
-  if (episode.has_joined_late && episode_ == episode.id) return {};
   Decisions out = state_->Conclude(now);
   state_ = std::make_unique<Idle>();
-  episode_ = episode.id;
   Decisions begun = Begin(episode, now);
   out.sense = begun.sense;
   out.alerts.insert(out.alerts.end(), begun.alerts.begin(), begun.alerts.end());
@@ -55,7 +54,6 @@ Decisions DecisionMaker::Begin(const Episode& episode, Instant now) {
   }
   const Goal* goal = FindGoal(episode.goal);
   if (goal == nullptr) return {.alerts = {BadInput(NoGoal(episode.goal), now)}};
-  start_utime_ = episode.has_joined_late ? 0 : episode.utime;
   if (agent == Agent::kRobot) {
     state_ = std::make_unique<Execute>(rules_, *goal, params_.make_solver,
                                        params_.execution, may_act_, now);
@@ -74,12 +72,12 @@ void DecisionMaker::OnEpisodeEnd(Instant now) {
 
 DecisionMaker::Answer DecisionMaker::SetGoal(const std::string& name) {
   const Goal* goal = FindGoal(name);
-  if (goal == nullptr) return {NoGoal(name)};
+  if (goal == nullptr) return Reason{NoGoal(name)};
   if (!state_->HasGoal()) {
-    return {
+    return Reason{
         "no episode runs that could have another goal (cell episode start)"};
   }
-  return {std::nullopt, state_->SetGoal(*goal)};
+  return state_->SetGoal(*goal);
 }
 
 void DecisionMaker::SetPermission(bool may_act, Instant now) {

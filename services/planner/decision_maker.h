@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/result/result.h"
 #include "services/planner/decision_state.h"
 #include "services/planner/execution/execution_context.h"
 #include "services/planner/watch.h"
@@ -14,8 +13,6 @@ namespace cell::planner {
 
 /// An episode that begins, or that runs when the planner starts.
 struct Episode {
-  int64_t id = 0;
-  int64_t utime = 0;  ///< [us] of its start, unless has_joined_late
   bool has_joined_late = false;
   std::string agent;  ///< who is to reach the goal: person or robot
   std::string goal;   ///< name
@@ -37,11 +34,8 @@ class DecisionMaker {
     Watch::Params watch = {};
     ExecutionParams execution = {};
   };
-  /// Refused for a reason, or accepted and what follows from it.
-  struct Answer {
-    std::optional<std::string> refusal = {};
-    Decisions decisions = {};
-  };
+  /// What follows from what it was told, or why that is refused.
+  using Answer = Result<Decisions>;
 
   DecisionMaker(std::shared_ptr<const RuleSet> rules, Params params);
 
@@ -56,8 +50,6 @@ class DecisionMaker {
   Answer SetGoal(const std::string& name);
   void SetPermission(bool may_act, Instant now);
 
-  /// True of what was measured before the episode.
-  bool IsOutdated(int64_t utime) const { return utime < start_utime_; }
   /// Takes all other inputs.
   DecisionState& state() { return *state_; }
 
@@ -70,8 +62,6 @@ class DecisionMaker {
   Params params_;
   std::unique_ptr<DecisionState> state_;
   bool may_act_ = false;
-  std::optional<int64_t> episode_;  // id of the last that was taken up
-  int64_t start_utime_ = 0;         // of the episode
 };
 
 }  // namespace cell::planner

@@ -60,23 +60,24 @@ Planner::Planner(Bus& bus, Domain domain,
 }
 
 bool Planner::OnEpisode(const episode_t& message) {
-  if (!std::exchange(has_asked_, true) && message.phase == episode_t::RUNNING) {
+  const auto event = episode_.Update(message);
+  const bool has_joined_late = event == EpisodeEvent::kJoins;
+  if (has_joined_late) {
     bus_.Publish("LIBRARY_REQUEST",
                  library_request_t{{bus_.now(), 0, 0, 0}, 0});
   }
-  if (message.phase == episode_t::END) {
-    decision_maker_->OnEpisodeEnd(Now());
-    return true;
+  if (event == EpisodeEvent::kEnds) decision_maker_->OnEpisodeEnd(Now());
+  if (event == EpisodeEvent::kBegins || has_joined_late) {
+    Publish(decision_maker_->OnEpisode(
+        {has_joined_late, message.agent, message.goal}, Now()));
   }
-  const auto episode = FromMessage(message);
-  if (episode) Publish(decision_maker_->OnEpisode(*episode, Now()));
-  return episode.has_value();
+  return event.has_value();
 }
 
 CommandAnswer Planner::OnGoal(const command_goal_t& message) {
   const DecisionMaker::Answer answer = decision_maker_->SetGoal(message.goal);
-  if (answer.refusal) return CommandAnswer::Refuse(*answer.refusal);
-  Publish(answer.decisions);
+  if (!answer) return CommandAnswer::Refuse(answer.reason());
+  Publish(*answer);
   return CommandAnswer::Accept("the episode's goal is now " + message.goal);
 }
 
@@ -87,7 +88,7 @@ bool Planner::OnMode(const operating_mode_t& message) {
 }
 
 bool Planner::OnPredicates(const predicates_t& message) {
-  if (decision_maker_->IsOutdated(message.header.utime)) return true;
+  if (episode_.IsBefore(message.header.utime)) return true;
   if (message.header.utime > bus_.now()) return false;
   const auto sensed =
       FromMessage(message, decision_maker_->rules().vocabulary());
@@ -96,7 +97,7 @@ bool Planner::OnPredicates(const predicates_t& message) {
 }
 
 bool Planner::OnAction(const action_t& message) {
-  if (decision_maker_->IsOutdated(message.header.utime)) return true;
+  if (episode_.IsBefore(message.header.utime)) return true;
   const auto action = FromMessage(message, decision_maker_->rules());
   if (action) Publish(decision_maker_->state().OnAction(*action));
   return action.has_value();
@@ -115,8 +116,8 @@ bool Planner::OnRecord(const action_record_t& message) {
     const int64_t version = decision_maker_->rules().version() + 1;
     const DecisionMaker::Answer answer = decision_maker_->ReplaceRules(
         RuleSet::FromDomain(domain_, record.name, version));
-    if (answer.refusal) return refuse(*answer.refusal);
-    Publish(answer.decisions);
+    if (!answer) return refuse(answer.reason());
+    Publish(*answer);
     return true;
   } catch (const ConfigError& e) {
     return refuse(e.what());

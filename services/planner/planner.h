@@ -7,12 +7,12 @@
 #include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_goal_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/relational/domain.h"
 #include "services/planner/decision_maker.h"
@@ -43,9 +43,9 @@ class Planner final : public Service {
   void Publish(const Decisions& decisions);
 
   Bus& bus_;
+  EpisodeGate episode_;
   Domain domain_;  // with the actions that the library has
   std::unique_ptr<DecisionMaker> decision_maker_;
-  bool has_asked_ = false;  // for records, or they come unasked
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);

@@ -80,16 +80,6 @@ std::vector<plan_step_t> ToMessages(const std::vector<PlanStep>& steps,
 
 }  // namespace
 
-std::optional<Episode> FromMessage(const episode_t& message) {
-  if (message.phase != episode_t::START &&
-      message.phase != episode_t::RUNNING) {
-    return std::nullopt;
-  }
-  return Episode{message.id, message.header.utime,
-                 message.phase == episode_t::RUNNING, message.agent,
-                 message.goal};
-}
-
 std::optional<SensedState> FromMessage(const predicates_t& message,
                                        const Vocabulary& vocabulary) {
   SensedState sensed{message.key_frame, message.header.utime,

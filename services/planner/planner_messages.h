@@ -4,16 +4,12 @@
 
 #include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "common/relational/rule_set.h"
 #include "services/planner/decision_maker.h"
 
 namespace cell::planner {
-
-/// Nullopt unless it begins or runs.
-std::optional<Episode> FromMessage(const episode_t& message);
 
 /// Nullopt if an atom is not of the vocabulary, comes twice, or has an unknown
 /// code. Atoms that are not listed are unknown.

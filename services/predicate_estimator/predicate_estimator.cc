@@ -47,13 +47,12 @@ PredicateEstimator::PredicateEstimator(Bus& bus, const Params& params)
 }
 
 bool PredicateEstimator::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) {
     tracks_.reset();
     frame_.reset();
-    start_utime_ = message.header.utime;
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 bool PredicateEstimator::OnTracks(const tracks_t& message) {
@@ -66,7 +65,7 @@ bool PredicateEstimator::OnTracks(const tracks_t& message) {
 bool PredicateEstimator::OnKeyFrame(const key_frame_t& message) {
   auto frame = KeyFrameFromMessage(message, params_.cast);
   if (!frame) return false;
-  if (frame->utime < start_utime_) return true;  // of the episode before
+  if (episode_.IsBefore(frame->utime)) return true;
   Sense(*frame);
   frame_ = *std::move(frame);
   return true;

@@ -3,11 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/relational/vocabulary.h"
 #include "common/sec/cast.h"
@@ -41,10 +41,10 @@ class PredicateEstimator final : public Service {
   void Sense(const KeyFrame& frame);
 
   Bus& bus_;
+  EpisodeGate episode_;
   Params params_;
   std::optional<Tracks> tracks_;   // the latest
   std::optional<KeyFrame> frame_;  // the latest
-  int64_t start_utime_ = 0;        // of the episode
 };
 
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,

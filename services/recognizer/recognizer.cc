@@ -65,23 +65,20 @@ void Recognizer::Begin() {
 }
 
 bool Recognizer::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) {
-    Begin();
-    start_utime_ = message.header.utime;
-  }
-  if (!std::exchange(has_asked_, true) && message.phase == episode_t::RUNNING) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) Begin();
+  if (event == EpisodeEvent::kJoins) {
     library_request_t all{};
     all.header.utime = bus_.now();
     bus_.Publish("LIBRARY_REQUEST", all);
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 bool Recognizer::OnKeyFrame(const key_frame_t& message) {
   const auto frame = KeyFrameFromMessage(message, params_.cast);
   if (!frame || frame->index <= last_key_frame_) return false;
-  if (frame->utime < start_utime_) return true;  // of the episode before
+  if (episode_.IsBefore(frame->utime)) return true;
   last_key_frame_ = frame->index;
   for (const RecognisedAction& action : recognition_->Update(*frame)) {
     bus_.Publish("ACTION", ToMessage(action, next_index_++));
@@ -90,9 +87,11 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
 }
 
 bool Recognizer::OnRecord(const action_record_t& message) {
-  const ActionModels::Update update = actions_.Take(FromMessage(message));
-  if (update.has_changed) recognition_->Use(params_.make_library(actions_));
-  return update.refusal.empty();
+  const auto update = actions_.Take(FromMessage(message));
+  if (update && *update == ActionModels::Update::kChanged) {
+    recognition_->Use(params_.make_library(actions_));
+  }
+  return bool(update);
 }
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus,

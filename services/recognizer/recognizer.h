@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "cell/action_record_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "common/actions/action_models.h"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
 #include "services/recognizer/recognition.h"
@@ -41,13 +41,12 @@ class Recognizer final : public Service {
   void Begin();
 
   Bus& bus_;
+  EpisodeGate episode_;
   Params params_;
   ActionModels actions_;                      // as the library has told them
   std::unique_ptr<Recognition> recognition_;  // of the episode
-  int64_t start_utime_ = 0;                   // of the episode
   int64_t last_key_frame_ = -1;
   int64_t next_index_ = 0;
-  bool has_asked_ = false;  // or the library publishes unasked
 };
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus, const Deployment& deployment);

@@ -16,10 +16,10 @@ constexpr double kLookTime = 0.3;  // [s] at rest, before tracks show it there
 Arm::Arm(const Params& params)
     : params_(params),
       layout_(*params_.layout.FindArm(params.arm)),
-      kinematics(layout_),
-      sensor(kinematics, layout_, params_.settings.force_sensor),
-      monitor({params.arm, params.layout, params.parts,
-               params.settings.motion.clearance, params.settings.distances}) {}
+      kinematics_(layout_),
+      sensor_(kinematics_, layout_, params_.settings.force_sensor),
+      monitor_({params.arm, params.layout, params.parts,
+                params.settings.motion.clearance, params.settings.distances}) {}
 
 void Arm::Update(const ArmReading& reading, double dt) {
   reading_ = reading;
@@ -27,21 +27,21 @@ void Arm::Update(const ArmReading& reading, double dt) {
     command_ = ArmCommand{reading.q, reading.opening, reading.stance};
   }
   still_ = reading.dq.cwiseAbs().maxCoeff() < kStill ? still_ + dt : 0;
-  if (has_force_sensor()) sensor.Update(reading, dt);
+  if (has_force_sensor()) sensor_.Update(reading, dt);
 }
 
 void Arm::Hold(HeldPart held) {
   const Part& part = *params_.parts.Find(held.part);
   const VolumeMoments moments = MomentsOf(part.pieces);
-  sensor.Load(part.density * moments.volume, held.X_GO * moments.centre);
+  sensor_.Load(part.density * moments.volume, held.X_GO * moments.centre);
   held_ = std::move(held);
 }
 
 void Arm::ForgetHeld() {
   held_.reset();
   is_releasing = false;
-  sensor.Unload();
-  monitor.SetHeld(std::nullopt);
+  sensor_.Unload();
+  monitor_.SetHeld(std::nullopt);
 }
 
 const Site* Arm::SiteOfHeld() const {
@@ -49,14 +49,14 @@ const Site* Arm::SiteOfHeld() const {
 }
 
 std::optional<std::string> Arm::FindGrasped() const {
-  return monitor.FindGrasped({reading_.q, reading_.stance, reading_.opening});
+  return monitor_.FindGrasped({reading_.q, reading_.stance, reading_.opening});
 }
 
 void Arm::RecogniseHeld() {
   if (still_ < kLookTime) return;
   const auto part = FindGrasped();
   if (!part) return;
-  const Eigen::Isometry3d X_WG = kinematics.GripperPose(reading_.q);
+  const Eigen::Isometry3d X_WG = kinematics_.GripperPose(reading_.q);
   Hold({*part, X_WG.inverse() * poses().at(*part), reading_.stance,
         reading_.opening});
 }

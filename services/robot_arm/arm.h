@@ -35,9 +35,13 @@ class Arm {
   const PartTable& parts() const { return params_.parts; }
   const SkillSettings& settings() const { return params_.settings; }
   const std::map<std::string, Eigen::Isometry3d>& poses() const {
-    return monitor.poses();
+    return monitor_.poses();
   }
   bool has_force_sensor() const { return layout_.X_FS.has_value(); }
+  const ToolKinematics& kinematics() const { return kinematics_; }
+  ContactSensor& sensor() { return sensor_; }
+  SceneMonitor& monitor() { return monitor_; }
+  MotionClient& client() { return client_; }
 
   /// One tick of `dt` [s] with what its devices say.
   void Update(const ArmReading& reading, double dt);
@@ -68,15 +72,11 @@ class Arm {
 
  private:
   Params params_;
-  const ArmLayout& layout_;
-
- public:
-  ToolKinematics kinematics;
-  ContactSensor sensor;
-  SceneMonitor monitor;
-  MotionClient client;
-
- private:
+  const ArmLayout& layout_;  // in params_
+  ToolKinematics kinematics_;
+  ContactSensor sensor_;  // of the kinematics
+  SceneMonitor monitor_;
+  MotionClient client_;
   ArmReading reading_;
   std::optional<ArmCommand> command_;
   std::optional<HeldPart> held_;

@@ -22,22 +22,22 @@ bool GoesFirst(const CellLayout& layout, const std::string& arm) {
 
 ArmWorker::ArmWorker(const Params& params)
     : arm_(params),
-      reachable_(arm_.parts(), arm_.monitor, arm_.client),
+      reachable_(arm_.parts(), arm_.monitor(), arm_.client()),
       to_arms_(GoesFirst(params.layout, params.arm)),
       to_people_(true) {}
 
 void ArmWorker::UpdateParts(const std::map<std::string, Isometry3d>& poses) {
-  arm_.monitor.SetParts(poses);
+  arm_.monitor().SetParts(poses);
   reachable_.Update(poses);
 }
 
 void ArmWorker::UpdateOther(const std::string& arm, const ArmPosture& posture,
                             bool is_gripping) {
-  arm_.monitor.SetOther(arm, posture, is_gripping);
+  arm_.monitor().SetOther(arm, posture, is_gripping);
 }
 
 void ArmWorker::UpdateHands(std::vector<Vector3d> points) {
-  arm_.monitor.SetHands(std::move(points));
+  arm_.monitor().SetHands(std::move(points));
 }
 
 void ArmWorker::Begin(const SkillRequest& request,
@@ -52,7 +52,7 @@ void ArmWorker::Begin(const SkillRequest& request,
   // What an earlier life or a stop has left it at: by now it is known where
   // parts are.
   if (!arm_.is_near) {
-    arm_.is_near = arm_.monitor.IsNearSomething(arm_.command().q);
+    arm_.is_near = arm_.monitor().IsNearSomething(arm_.command().q);
   }
   run_ = std::make_unique<SkillRun>(arm_, *FindSkill(request.skill), request);
 }
@@ -104,24 +104,23 @@ bool ArmWorker::MustYield(double dt) {
     run_->stages().TryOtherWay(dt);
   }
   const bool is_person_there =
-      is_moving && arm_.monitor.WouldCollideWithPerson(now, way);
+      is_moving && arm_.monitor().WouldCollideWithPerson(now, way);
   if (ShouldStop(to_people_.Step(is_person_there, dt),
-                 SkillRun::kPersonInTheWay)) {
+                 Failure::PersonInTheWay())) {
     return true;
   }
   const bool is_other_there = run_ && run_->stages().is_running() &&
-                              arm_.monitor.WouldCollideWithArm(now, way);
+                              arm_.monitor().WouldCollideWithArm(now, way);
   return ShouldStop(to_arms_.Step(is_other_there, dt),
-                    "another arm is in the way");
+                    {"another arm is in the way"});
 }
 
 /// True if it stands still in this tick.
-bool ArmWorker::ShouldStop(YieldPolicy::Advice advice,
-                           const std::string& reason) {
+bool ArmWorker::ShouldStop(YieldPolicy::Advice advice, const Failure& failure) {
   if (run_ && advice == YieldPolicy::Advice::kGoAround) {
     run_->stages().SeekOtherWay();
   }
-  if (run_ && advice == YieldPolicy::Advice::kGiveUp) End(run_->Fail(reason));
+  if (run_ && advice == YieldPolicy::Advice::kGiveUp) End(run_->Fail(failure));
   return advice != YieldPolicy::Advice::kGo;
 }
 
@@ -150,7 +149,7 @@ void ArmWorker::UpdateHeldPart() {
   if (!arm_.held() || arm_.is_releasing) return;
   const std::string lost = "it has lost " + arm_.held()->part;
   arm_.ForgetHeld();
-  if (run_) End(run_->Fail(lost));
+  if (run_) End(run_->Fail({lost}));
 }
 
 }  // namespace cell::robot_arm

@@ -39,10 +39,10 @@ class ArmWorker {
                    bool is_gripping);
   /// What it asks of the planner of motions since the last call.
   std::vector<MotionRequest> TakeRequests() {
-    return arm_.client.TakeRequests();
+    return arm_.client().TakeRequests();
   }
   /// An answer; false if it does not wait for it.
-  bool Put(const MotionPlan& plan) { return arm_.client.Put(plan); }
+  bool Put(const MotionPlan& plan) { return arm_.client().Put(plan); }
 
   /// Takes the skill, or refuses it: then there is a result at once.
   void Begin(const SkillRequest& request, MotionPermission permission);
@@ -67,7 +67,7 @@ class ArmWorker {
  private:
   std::optional<std::string> WhyNot(const SkillRequest& request) const;
   bool MustYield(double dt);
-  bool ShouldStop(YieldPolicy::Advice advice, const std::string& reason);
+  bool ShouldStop(YieldPolicy::Advice advice, const Failure& failure);
   void UpdateHeldPart();
   void End(const std::optional<SkillResult>& result);
 

@@ -23,6 +23,8 @@ class ContactSensor {
   /// `kinematics` must outlive this object.
   ContactSensor(const ToolKinematics& kinematics, const ArmLayout& layout,
                 const Params& params);
+  ContactSensor(const ContactSensor&) = delete;
+  ContactSensor& operator=(const ContactSensor&) = delete;
 
   /// A part of `mass` [kg] is held with its centre of mass at p_G.
   void Load(double mass, const Eigen::Vector3d& p_G);

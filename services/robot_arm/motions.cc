@@ -124,8 +124,9 @@ std::optional<Joints> MoveOnLine::Ahead(double seconds, const Joints& q) const {
   return kinematics_.JointsNear(PoseAt(time_ + seconds), q);
 }
 
-SkillStage::State WaitUntil::Step(const ArmReading&, double dt, ArmCommand*) {
-  if (is_so_()) return State::kDone;
+SkillStage::State WaitForPerson::Step(const ArmReading&, double dt,
+                                      ArmCommand*) {
+  if (!is_in_the_way_()) return State::kDone;
   time_ += dt;
   return time_ < patience_ ? State::kWaiting : State::kFailed;
 }
@@ -154,9 +155,9 @@ SkillStage::State MoveFingers::Step(const ArmReading& reading, double dt,
   return time_ > kFingerTime ? State::kFailed : State::kRunning;
 }
 
-std::string MoveFingers::reason() const {
-  return until_ == Until::kGripping ? "the fingers have closed on nothing"
-                                    : "the fingers do not move";
+Failure MoveFingers::failure() const {
+  return {until_ == Until::kGripping ? "the fingers have closed on nothing"
+                                     : "the fingers do not move"};
 }
 
 SkillStage::State Tare::Step(const ArmReading&, double dt, ArmCommand*) {
@@ -173,9 +174,10 @@ SkillStage::State Tare::Step(const ArmReading&, double dt, ArmCommand*) {
   return State::kDone;
 }
 
-std::string Tare::reason() const {
-  return "the wrist force-torque sensor has been silent for more than the "
-         "0.2 s allowed";
+Failure Tare::failure() const {
+  return {
+      "the wrist force-torque sensor has been silent for more than the "
+      "0.2 s allowed"};
 }
 
 }  // namespace cell::robot_arm

@@ -22,7 +22,7 @@ class AwaitPlan : public SkillStage {
       : inquiry_(client, request), use_(std::move(use)) {}
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
-  std::string reason() const override { return inquiry_.reason(); }
+  Failure failure() const override { return {inquiry_.reason()}; }
 
  private:
   MotionInquiry inquiry_;
@@ -40,7 +40,7 @@ class FollowWay : public SkillStage {
              ArmCommand* command) override;
   std::optional<Joints> Ahead(double seconds, const Joints& q) const override;
   bool HasOtherWays() const override { return trajectory_.has_value(); }
-  std::string reason() const override { return inquiry_.reason(); }
+  Failure failure() const override { return {inquiry_.reason()}; }
 
  private:
   MotionInquiry inquiry_;
@@ -60,7 +60,7 @@ class MoveOnLine : public SkillStage {
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
   std::optional<Joints> Ahead(double seconds, const Joints& q) const override;
-  std::string reason() const override { return reason_; }
+  Failure failure() const override { return {reason_}; }
 
  private:
   Eigen::Isometry3d PoseAt(double time) const;
@@ -73,22 +73,19 @@ class MoveOnLine : public SkillStage {
   std::string reason_;
 };
 
-/// Waits while something is in the way, for a while.
-class WaitUntil : public SkillStage {
+/// Waits while a person's hand is in the way, for a while.
+class WaitForPerson : public SkillStage {
  public:
-  /// `reason`: why it fails if it is not so after `patience` [s].
-  WaitUntil(std::function<bool()> is_so, double patience, std::string reason)
-      : is_so_(std::move(is_so)),
-        patience_(patience),
-        reason_(std::move(reason)) {}
+  /// Fails if it is still in the way after `patience` [s]; 0: at once.
+  WaitForPerson(std::function<bool()> is_in_the_way, double patience)
+      : is_in_the_way_(std::move(is_in_the_way)), patience_(patience) {}
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
-  std::string reason() const override { return reason_; }
+  Failure failure() const override { return Failure::PersonInTheWay(); }
 
  private:
-  std::function<bool()> is_so_;
+  std::function<bool()> is_in_the_way_;
   double patience_;
-  std::string reason_;
   double time_ = 0;
 };
 
@@ -100,7 +97,7 @@ class MoveFingers : public SkillStage {
   MoveFingers(double opening, const std::string& grip, Until until);
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
-  std::string reason() const override;
+  Failure failure() const override;
 
  private:
   double opening_;
@@ -116,7 +113,7 @@ class Tare : public SkillStage {
   explicit Tare(ContactSensor& sensor) : sensor_(sensor) {}
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
-  std::string reason() const override;
+  Failure failure() const override;
 
  private:
   ContactSensor& sensor_;

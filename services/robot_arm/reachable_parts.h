@@ -25,6 +25,8 @@ class ReachableParts {
   ReachableParts(const PartTable& parts, const SceneMonitor& monitor,
                  MotionClient& client)
       : parts_(parts), monitor_(monitor), client_(client) {}
+  ReachableParts(const ReachableParts&) = delete;
+  ReachableParts& operator=(const ReachableParts&) = delete;
 
   /// The parts are seen anew.
   void Update(const std::map<std::string, Eigen::Isometry3d>& poses);

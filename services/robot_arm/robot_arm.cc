@@ -114,14 +114,14 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
 }
 
 bool RobotArm::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) {
     worker_ = std::make_unique<ArmWorker>(params_.worker);
     start_utime_ = bus_.now();
     last_report_ = {};
     was_held_ = false;
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 const ArmModel& RobotArm::ModelOf(const std::string& arm) const {
@@ -161,8 +161,7 @@ bool RobotArm::OnWrench(const wrench_t& message) {
   std::copy_n(message.force, 3, wrench.force.data());
   std::copy_n(message.torque, 3, wrench.torque.data());
   if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return false;
-  wrench_ = wrench;
-  wrench_utime_ = bus_.now();  // what the message says need not be true
+  wrench_ = {wrench, bus_.now()};  // what the message says need not be true
   return true;
 }
 
@@ -241,7 +240,9 @@ void RobotArm::OnTick() {
   if (!start_utime_) start_utime_ = bus_.now();
   if (!reading_) return;
   reading_->wrench.reset();
-  if (bus_.now() - wrench_utime_ <= kFreshUs) reading_->wrench = wrench_;
+  if (wrench_ && bus_.now() - wrench_->utime <= kFreshUs) {
+    reading_->wrench = wrench_->wrench;
+  }
   reading_->why_stopped = why_stopped_;
   const ArmCommand command = worker_->Step(*reading_, Permission(), kTick);
   PublishSetpoint(command);

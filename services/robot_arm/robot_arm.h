@@ -10,7 +10,6 @@
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/motion_plan_t.hpp"
 #include "cell/skill_request_t.hpp"
@@ -18,6 +17,7 @@
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
 #include "common/sec/cast.h"
@@ -56,15 +56,19 @@ class RobotArm final : public Service {
   void PublishReport();
   ArmWorker::MotionPermission Permission() const;
 
+  struct SensedAt {
+    ArmReading::SensedWrench wrench;
+    int64_t utime = 0;  ///< of its arrival
+  };
   Bus& bus_;
+  EpisodeGate episode_;
   Params params_;
   std::string name_;
   std::vector<skill_traits_t> skills_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
-  std::optional<ArmReading::SensedWrench> wrench_;
-  int64_t wrench_utime_ = 0;
+  std::optional<SensedAt> wrench_;
   std::string why_stopped_ = "its device has not said why";
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor

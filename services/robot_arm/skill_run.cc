@@ -8,6 +8,14 @@ namespace cell::robot_arm {
 
 using Outcome = SkillResult::Outcome;
 
+namespace {
+
+bool IsYielding(const Failure& failure) {
+  return failure.cause == Failure::Cause::kPersonInTheWay;
+}
+
+}  // namespace
+
 SkillRun::SkillRun(Arm& arm, const Skill& skill, SkillRequest request)
     : arm_(arm), skill_(skill), request_(std::move(request)) {
   Plan();
@@ -31,27 +39,27 @@ std::optional<SkillResult> SkillRun::Step(double dt) {
     case StageRunner::Status::kRunning:
       return std::nullopt;
     case StageRunner::Status::kFailed:
-      return Fail(stages_.reason());
+      return Fail(stages_.failure());
     case StageRunner::Status::kDone:
       break;
   }
-  const Outcome not_done = has_yielded_ ? Outcome::kYielded : Outcome::kFailed;
-  return End(failure_.empty() ? Outcome::kSucceeded : not_done, failure_);
+  if (!failure_) return End(Outcome::kSucceeded, "");
+  return End(IsYielding(*failure_) ? Outcome::kYielded : Outcome::kFailed,
+             failure_->reason);
 }
 
-std::optional<SkillResult> SkillRun::Fail(const std::string& reason) {
+std::optional<SkillResult> SkillRun::Fail(const Failure& failure) {
   stages_.Clear();
   arm_.is_releasing = false;
-  const bool is_person = reason == kPersonInTheWay;
   if (!stages_.has_moved()) {
-    return End(is_person ? Outcome::kYielded : Outcome::kRefused, reason);
+    return End(IsYielding(failure) ? Outcome::kYielded : Outcome::kRefused,
+               failure.reason);
   }
-  if (!failure_.empty()) {
-    return End(Outcome::kFailed,
-               fmt::format("{}; and then: {}", failure_, reason));
+  if (failure_) {
+    return End(Outcome::kFailed, fmt::format("{}; and then: {}",
+                                             failure_->reason, failure.reason));
   }
-  failure_ = reason;
-  has_yielded_ = is_person;
+  failure_ = failure;
   const bool is_near = arm_.is_near.value_or(false);
   if (is_near && !arm_.held() && !arm_.reading().is_gripping) {
     const double open = arm_.command().opening + kLetGoMargin * 2;

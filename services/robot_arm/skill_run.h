@@ -21,7 +21,6 @@ namespace cell::robot_arm {
 /// skills are made of.
 class SkillRun {
  public:
-  static constexpr char kPersonInTheWay[] = "a person's hand is in the way";
   /// [m] that each finger opens at first, beside a seated part.
   static constexpr double kLetGoMargin = 0.008;
 
@@ -34,7 +33,7 @@ class SkillRun {
   std::optional<SkillResult> Step(double dt);
   /// Something has gone wrong: it draws back from what is near, then it has
   /// failed. The result if it ends at once.
-  std::optional<SkillResult> Fail(const std::string& reason);
+  std::optional<SkillResult> Fail(const Failure& failure);
   SkillResult Stop(const std::string& reason) const;
 
   const SkillRequest& request() const { return request_; }
@@ -100,8 +99,7 @@ class SkillRun {
   Eigen::Isometry3d X_WO_place_ = Eigen::Isometry3d::Identity();  // ... there
   Joints q_place_ = Joints::Zero();  // its approach
   double peak_force_ = 0;            // [N]
-  std::string failure_;              // that the arm recovers from
-  bool has_yielded_ = false;         // to a person: why it fails
+  std::optional<Failure> failure_;   // that the arm recovers from
 };
 
 }  // namespace cell::robot_arm

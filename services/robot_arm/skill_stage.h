@@ -8,6 +8,17 @@
 
 namespace cell::robot_arm {
 
+/// Why a stage, or the skill that it is of, cannot go on.
+struct Failure {
+  enum class Cause { kOther, kPersonInTheWay };
+  std::string reason;  ///< in plain words
+  Cause cause = Cause::kOther;
+
+  static Failure PersonInTheWay() {
+    return {"a person's hand is in the way", Cause::kPersonInTheWay};
+  }
+};
+
 /// One stretch of a skill that runs tick by tick: a motion, the fingers, a
 /// contact. It changes the command and says when it is over. While the arm is
 /// frozen it is not called; `dt` [s] of its time has passed since it was.
@@ -20,6 +31,9 @@ class SkillStage {
     kFailed
   };
 
+  SkillStage() = default;
+  SkillStage(const SkillStage&) = delete;
+  SkillStage& operator=(const SkillStage&) = delete;
   virtual ~SkillStage() = default;
   virtual State Step(const ArmReading& reading, double dt,
                      ArmCommand* command) = 0;
@@ -34,8 +48,8 @@ class SkillStage {
   /// Gets ready before its first step: kWaiting until it is, then kRunning, or
   /// kFailed. `dt` [s] have passed.
   virtual State Prepare(double /*dt*/) { return State::kRunning; }
-  /// Why it has failed, in plain words.
-  virtual std::string reason() const { return ""; }
+  /// Why it has failed.
+  virtual Failure failure() const { return {}; }
 };
 
 }  // namespace cell::robot_arm

@@ -22,9 +22,9 @@ void SkillRun::WaitForHands(std::function<Vector3d()> point,
   Add(
       {"wait for the person"},
       [this, point]() -> Made {
-        return std::make_unique<WaitUntil>(
-            [this, point] { return !arm_.monitor.IsHandNear(point()); },
-            arm_.settings().distances.patience, kPersonInTheWay);
+        return std::make_unique<WaitForPerson>(
+            [this, point] { return arm_.monitor().IsHandNear(point()); },
+            arm_.settings().distances.patience);
       },
       std::move(then));
 }
@@ -60,12 +60,14 @@ void SkillRun::Grasp(const TargetMaker& target) {
   Add(
       {"close", Contact::kPartsAndTable},
       [this, place]() -> Made {
-        if (arm_.monitor.IsHandNear(place())) return Reason{kPersonInTheWay};
+        if (arm_.monitor().IsHandNear(place())) {
+          return std::make_unique<WaitForPerson>([] { return true; }, 0);
+        }
         return Fingers(grasp_.width - arm_.settings().fingers.close_beyond,
                        Until::kGripping);
       },
       [this, part] {
-        const Isometry3d X_WG = arm_.kinematics.GripperPose(arm_.reading().q);
+        const Isometry3d X_WG = arm_.kinematics().GripperPose(arm_.reading().q);
         arm_.Hold({part, X_WG.inverse() * arm_.poses().at(part), grasp_.grip,
                    grasp_.width});
       });
@@ -83,7 +85,7 @@ void SkillRun::Take(const TargetMaker& target) {
 
 void SkillRun::Carry(std::function<Result<MotionRequest>()> place) {
   Add({"plan the way"}, [this, place = std::move(place)]() -> Made {
-    arm_.monitor.SetHeld(arm_.held());
+    arm_.monitor().SetHeld(arm_.held());
     const auto request = place();
     if (!request) return Reason{request.reason()};
     return Ask(*request, [this](const MotionPlan& plan) {
@@ -143,7 +145,7 @@ void SkillRun::DrawBack() {
       [this] {
         return LineBy(
             arm_.settings().motion.approach *
-            arm_.kinematics.GripperPose(arm_.command().q).linear().col(2));
+            arm_.kinematics().GripperPose(arm_.command().q).linear().col(2));
       },
       [this] { arm_.is_near = false; });
 }
@@ -161,22 +163,22 @@ MotionRequest SkillRun::RequestOf(MotionRequest::Kind kind) const {
     posture.grip = arm_.held()->grip;
     posture.opening = arm_.held()->width;
   }
-  return arm_.monitor.MakeRequest(kind, posture);
+  return arm_.monitor().MakeRequest(kind, posture);
 }
 
 SkillRun::Made SkillRun::Ask(const MotionRequest& request,
                              std::function<void(const MotionPlan&)> use) {
-  return std::make_unique<AwaitPlan>(arm_.client, request, std::move(use));
+  return std::make_unique<AwaitPlan>(arm_.client(), request, std::move(use));
 }
 
 SkillRun::Made SkillRun::Transit(const Joints& q) {
   const ArmCommand& command = arm_.command();
-  MotionRequest request = arm_.monitor.MakeRequest(
+  MotionRequest request = arm_.monitor().MakeRequest(
       MotionRequest::Kind::kWay, {command.q, command.grip, command.opening});
   request.goal = q;
   const MotionSettings& motion = arm_.settings().motion;
   return std::make_unique<FollowWay>(
-      arm_.client, request,
+      arm_.client(), request,
       JointRates{std::min(motion.transit_speed,
                           arm_.layout().model->limits().speed.minCoeff()),
                  motion.transit_acceleration});
@@ -186,10 +188,10 @@ SkillRun::Made SkillRun::Transit(const Joints& q) {
 SkillRun::Made SkillRun::LineBy(const Vector3d& way_W) {
   constexpr int kNumSteps = 20;
   Joints q = arm_.command().q;
-  Isometry3d X_WG = arm_.kinematics.GripperPose(q);
+  Isometry3d X_WG = arm_.kinematics().GripperPose(q);
   for (int i = 0; i < kNumSteps; ++i) {
     const Isometry3d next = Translation3d(way_W / kNumSteps) * X_WG;
-    const auto solution = arm_.kinematics.JointsNear(next, q);
+    const auto solution = arm_.kinematics().JointsNear(next, q);
     if (!solution) break;
     q = *solution;
     X_WG = next;
@@ -198,7 +200,7 @@ SkillRun::Made SkillRun::LineBy(const Vector3d& way_W) {
 }
 
 SkillRun::Made SkillRun::Line(const Isometry3d& X_WG) {
-  return std::make_unique<MoveOnLine>(arm_.kinematics, X_WG,
+  return std::make_unique<MoveOnLine>(arm_.kinematics(), X_WG,
                                       arm_.settings().motion.line_speed);
 }
 

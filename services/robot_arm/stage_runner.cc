@@ -12,9 +12,9 @@ void StageRunner::Clear() {
 
 StageRunner::Status StageRunner::Step(const ArmReading& reading, double dt,
                                       ArmCommand* command) {
-  reason_.clear();
+  failure_ = {};
   if (!stage_ && !BeginNext()) {
-    return reason_.empty() ? Status::kDone : Fail(reason_);
+    return failure_.reason.empty() ? Status::kDone : Fail(failure_);
   }
   other_way_.reset();
   switch (stage_->Step(reading, dt, command)) {
@@ -24,7 +24,7 @@ StageRunner::Status StageRunner::Step(const ArmReading& reading, double dt,
       has_moved_ |= dt > 0;
       break;
     case SkillStage::State::kFailed:
-      return Fail(stage_->reason());
+      return Fail(stage_->failure());
     case SkillStage::State::kDone:
       stage_.reset();
       FinishFirst();
@@ -38,7 +38,7 @@ bool StageRunner::BeginNext() {
     phase_ = pending_.front().phase;
     Made made = pending_.front().make();
     if (!made) {
-      reason_ = made.reason().empty() ? "it cannot be done" : made.reason();
+      failure_ = {made.reason().empty() ? "it cannot be done" : made.reason()};
       return false;
     }
     stage_ = *std::move(made);
@@ -54,8 +54,8 @@ void StageRunner::FinishFirst() {
   if (then) then();
 }
 
-StageRunner::Status StageRunner::Fail(const std::string& reason) {
-  reason_ = reason;
+StageRunner::Status StageRunner::Fail(const Failure& failure) {
+  failure_ = failure;
   Clear();
   return Status::kFailed;
 }

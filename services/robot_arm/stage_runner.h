@@ -47,20 +47,20 @@ class StageRunner {
   const Phase& phase() const { return phase_; }
   /// Anything has moved since this object was made.
   bool has_moved() const { return has_moved_; }
-  /// Why it has failed.
-  const std::string& reason() const { return reason_; }
+  /// Why the last step has failed.
+  const Failure& failure() const { return failure_; }
 
  private:
   bool BeginNext();
   void FinishFirst();
-  Status Fail(const std::string& reason);
+  Status Fail(const Failure& failure);
 
   std::deque<PendingStage> pending_;
   std::unique_ptr<SkillStage> stage_;      // of the first of them
   std::unique_ptr<SkillStage> other_way_;  // the same, while it gets ready
   Phase phase_;
   bool has_moved_ = false;
-  std::string reason_;
+  Failure failure_;
 };
 
 }  // namespace cell::robot_arm

@@ -18,20 +18,19 @@ SecBuilder::SecBuilder(Bus& bus, const Params& params)
 }
 
 bool SecBuilder::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) {
     extractor_ = KeyFrameExtractor(cast_, extractor_params_);
-    start_utime_ = message.header.utime;
     last_utime_.reset();
     first_index_ = 0;
   }
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  return event.has_value();
 }
 
 bool SecBuilder::OnTracks(const tracks_t& message) {
   const auto tracks = TracksFromMessage(message, cast_);
   if (!tracks || (last_utime_ && tracks->utime <= *last_utime_)) return false;
-  if (tracks->utime < start_utime_) return true;  // of the episode before
+  if (episode_.IsBefore(tracks->utime)) return true;
   last_utime_ = tracks->utime;
   // A life that begins within an episode has seen fewer key frames than ticks.
   if (!first_index_) first_index_ = bus_.tick();

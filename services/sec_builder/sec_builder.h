@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "cell/episode_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
 #include "common/sec/cast.h"
@@ -32,11 +32,11 @@ class SecBuilder final : public Service {
   bool OnTracks(const tracks_t& message);
 
   Bus& bus_;
+  EpisodeGate episode_;
   Cast cast_;
   KeyFrameExtractor::Params extractor_params_;
   ProximitySensor sensor_;
   KeyFrameExtractor extractor_;         // of the episode
-  int64_t start_utime_ = 0;             // of the episode
   std::optional<int64_t> last_utime_;   // of its tracks
   std::optional<int64_t> first_index_;  // of its key frames
 };

@@ -80,16 +80,13 @@ Supervision& Supervisor::Watch() {
 }
 
 bool Supervisor::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::END) {
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kEnds) {
     Watch().SetAgent(std::nullopt);
     return true;
   }
   const bool is_robot = message.agent == "robot";
-  if ((message.phase != episode_t::START &&
-       message.phase != episode_t::RUNNING) ||
-      (!is_robot && message.agent != "person")) {
-    return false;
-  }
+  if (!event || (!is_robot && message.agent != "person")) return false;
   Watch().SetAgent(is_robot ? Supervision::Agent::kRobot
                             : Supervision::Agent::kPerson);
   return true;

@@ -11,11 +11,11 @@
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
 #include "cell/command_mode_t.hpp"
-#include "cell/episode_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "services/supervisor/supervision.h"
 
@@ -52,6 +52,7 @@ class Supervisor final : public Service {
   void Publish(const Notice& notice);
 
   Bus& bus_;
+  EpisodeGate episode_;
   Params params_;
   std::optional<Supervision> supervision_;  // from the first tick on
   std::map<std::string, int8_t> servos_;    // last seen, by arm

@@ -20,9 +20,9 @@ Tracker::Tracker(Bus& bus, const Params& params)
 }
 
 bool Tracker::OnEpisode(const episode_t& message) {
-  if (message.phase == episode_t::START) truth_.reset();
-  return message.phase >= episode_t::START &&
-         message.phase <= episode_t::RUNNING;
+  const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins) truth_.reset();
+  return event.has_value();
 }
 
 bool Tracker::OnTruth(const truth_poses_t& message) {

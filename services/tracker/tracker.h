@@ -3,9 +3,9 @@
 #include <memory>
 #include <optional>
 
-#include "cell/episode_t.hpp"
 #include "cell/truth_poses_t.hpp"
 #include "common/bus/bus.h"
+#include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/layout/cell_layout.h"
 #include "common/sec/cast.h"
@@ -32,6 +32,7 @@ class Tracker final : public Service {
   void PublishTracks();
 
   Bus& bus_;
+  EpisodeGate episode_;
   Cast cast_;
   IdealTracker tracker_;
   std::optional<TruthPoses> truth_;  // not yet published

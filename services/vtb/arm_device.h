@@ -33,6 +33,8 @@ class ArmDevice {
   /// All must outlive this object.
   ArmDevice(Bus& bus, const ArmLayout& layout,
             const std::vector<PartShape>& shapes, const Params& params);
+  ArmDevice(const ArmDevice&) = delete;
+  ArmDevice& operator=(const ArmDevice&) = delete;
 
   const std::string& name() const { return layout_.name; }
   /// A protective stop, for whatever reason.

@@ -64,6 +64,9 @@ class HandStage {
     bool is_all_dropped = false;  ///< nothing else is to come
   };
 
+  HandStage() = default;
+  HandStage(const HandStage&) = delete;
+  HandStage& operator=(const HandStage&) = delete;
   virtual ~HandStage() = default;
 
   /// Before the first tick. The run stands still where the hand is.

@@ -40,6 +40,8 @@ class Hands {
   /// All must outlive this object.
   Hands(const PartTable& table, const CellLayout& layout,
         const PartBodies& bodies, mjModel& model, mjData& data);
+  Hands(const Hands&) = delete;
+  Hands& operator=(const Hands&) = delete;
 
   /// At rest and open.
   void Reset();

@@ -23,6 +23,8 @@ class PartBodies {
   /// The table must outlive this object.
   PartBodies(const PartTable& table, const CellLayout& layout,
              const mjModel& model);
+  PartBodies(const PartBodies&) = delete;
+  PartBodies& operator=(const PartBodies&) = delete;
 
   const Body& operator[](size_t part) const { return bodies_[part]; }
   /// @throws std::invalid_argument if no part has the name.

@@ -103,17 +103,19 @@ Vtb::Vtb(Bus& bus, const Params& params)
 }
 
 void Vtb::Prepare(const Request& request) {
-  demonstrator_.emplace(book_, request.demonstration, request.seed, world_);
-  deeds_.emplace(book_);
+  episode_.demonstrator.emplace(book_, request.demonstration, request.seed,
+                                world_);
+  episode_.deeds.emplace(book_);
   for (const auto& arm : arms_) arm->Reset(world_);
-  request_ = request;
-  script_ = &book_->scripts.at(request.demonstration);
-  bystander_.reset();
-  if (script_->bystander) {
-    bystander_.emplace(book_, request.demonstration, request.seed, world_);
+  episode_.request = request;
+  episode_.script = &book_->scripts.at(request.demonstration);
+  episode_.bystander.reset();
+  if (episode_.script->bystander) {
+    episode_.bystander.emplace(book_, request.demonstration, request.seed,
+                               world_);
   }
-  robot_state_ = execution_t::RUNNING;
-  num_still_ = 0;
+  episode_.robot_state = execution_t::RUNNING;
+  episode_.num_still = 0;
   attendance_.BeginEpisode();
 }
 
@@ -161,10 +163,11 @@ bool Vtb::OnFault(const command_fault_t& message) {
 
 CommandAnswer Vtb::EndByCommand() {
   const bool was_to_begin = std::exchange(next_, std::nullopt).has_value();
-  if (is_running_) {
+  if (episode_.is_running) {
     End();
     return CommandAnswer::Accept(fmt::format("episode {} ({}) has ended",
-                                             episode_, request_.demonstration));
+                                             episode_.id,
+                                             episode_.request.demonstration));
   }
   bus_.EndRunIn(kGapTicks);
   return CommandAnswer::Accept(was_to_begin
@@ -181,11 +184,12 @@ CommandAnswer Vtb::StartByCommand(const Request& request) {
         fmt::format("the task has no demonstration '{}'; it has {}",
                     request.demonstration, fmt::join(names, ", ")));
   }
-  const std::string before = is_running_
-                                 ? fmt::format("episode {} ({}) has ended; ",
-                                               episode_, request_.demonstration)
-                                 : "";
-  if (is_running_) End();
+  const std::string before =
+      episode_.is_running
+          ? fmt::format("episode {} ({}) has ended; ", episode_.id,
+                        episode_.request.demonstration)
+          : "";
+  if (episode_.is_running) End();
   next_ = {bus_.tick() + kGapTicks, request};
   bus_.EndRunIn(kForeverTicks - bus_.tick());
   return CommandAnswer::Accept(
@@ -198,9 +202,9 @@ bool Vtb::OnExecution(const execution_t& message) {
       message.state > execution_t::STUCK) {
     return false;
   }
-  robot_state_ = message.state;
-  if (message.state == execution_t::STUCK && bystander_) {
-    bystander_->AskFor(message.help_part, message.help_site);
+  episode_.robot_state = message.state;
+  if (message.state == execution_t::STUCK && episode_.bystander) {
+    episode_.bystander->AskFor(message.help_part, message.help_site);
   }
   return true;
 }
@@ -208,30 +212,30 @@ bool Vtb::OnExecution(const execution_t& message) {
 void Vtb::OnTick() {
   if (bus_.tick() < kFirstTick) return;
   if (next_ && bus_.tick() >= next_->tick) {
-    if (episode_ > 0) Prepare(next_->request);
+    if (episode_.id > 0) Prepare(next_->request);
     next_.reset();
-    ++episode_;
-    is_running_ = true;
-    start_tick_ = bus_.tick();
+    ++episode_.id;
+    episode_.is_running = true;
+    episode_.start_tick = bus_.tick();
     PublishEpisode(episode_t::START);
   }
-  demonstrator_->Update(kTick, world_);
-  if (bystander_) bystander_->Update(kTick, world_);
+  episode_.demonstrator->Update(kTick, world_);
+  if (episode_.bystander) episode_.bystander->Update(kTick, world_);
   for (const auto& arm : arms_) arm->Update(kTick, world_);
   world_.Run(steps_per_tick_);
   for (const auto& arm : arms_) arm->Publish(world_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
-  if (is_running_) PublishDeeds();
-  if (is_running_ && bus_.tick() % kRunningPeriod == 0) {
+  if (episode_.is_running) PublishDeeds();
+  if (episode_.is_running && bus_.tick() % kRunningPeriod == 0) {
     PublishEpisode(episode_t::RUNNING);
   }
-  if (is_running_ && !GiveUpWaiting() && IsOver()) EndOrGoOn();
+  if (episode_.is_running && !GiveUpWaiting() && IsOver()) EndOrGoOn();
 }
 
 /// Ends the run if its robot waits for an operator who is not there. Episodes
 /// that were to follow would begin with the same hold.
 bool Vtb::GiveUpWaiting() {
-  if (script_->agent == "person") return false;
+  if (episode_.script->agent == "person") return false;
   const auto why = attendance_.WhyInVain(bus_.tick());
   if (!why) return false;
   alert_t alert{};
@@ -245,25 +249,27 @@ bool Vtb::GiveUpWaiting() {
 }
 
 bool Vtb::HasAgentFinished() const {
-  if (!demonstrator_->is_done()) return false;
-  if (script_->agent == "person") return true;
-  return robot_state_ != execution_t::RUNNING &&
-         (!bystander_ || bystander_->is_done()) &&
+  if (!episode_.demonstrator->is_done()) return false;
+  if (episode_.script->agent == "person") return true;
+  return episode_.robot_state != execution_t::RUNNING &&
+         (!episode_.bystander || episode_.bystander->is_done()) &&
          std::ranges::all_of(arms_,
                              [](const auto& arm) { return arm->IsAtRest(); });
 }
 
 bool Vtb::IsOver() {
-  if ((bus_.tick() - start_tick_) * kTick > script_->max_duration) return true;
+  if ((bus_.tick() - episode_.start_tick) * kTick >
+      episode_.script->max_duration)
+    return true;
   if (!HasAgentFinished()) {
-    num_still_ = 0;
+    episode_.num_still = 0;
     return false;
   }
-  ++num_still_;
+  ++episode_.num_still;
   // Who asks a question may still be answered.
-  const bool is_asking = robot_state_ == execution_t::STUCK;
-  if (num_still_ < (is_asking ? kAskTicks : kRestTicks)) return false;
-  if (num_still_ >= kMaxRestTicks) return true;
+  const bool is_asking = episode_.robot_state == execution_t::STUCK;
+  if (episode_.num_still < (is_asking ? kAskTicks : kRestTicks)) return false;
+  if (episode_.num_still >= kMaxRestTicks) return true;
   for (const Part& part : world_.table().parts()) {
     if (world_.SpeedOf(part.name) > kStill) return false;
   }
@@ -278,7 +284,7 @@ void Vtb::EndOrGoOn() {
 }
 
 void Vtb::End() {
-  is_running_ = false;
+  episode_.is_running = false;
   PublishEpisode(episode_t::END);
   bus_.EndRunIn(kGapTicks);
 }
@@ -286,13 +292,13 @@ void Vtb::End() {
 void Vtb::PublishEpisode(int8_t phase) {
   episode_t message{};
   message.header.utime = bus_.now();
-  message.id = episode_;
+  message.id = episode_.id;
   message.phase = phase;
   message.task = params_.task;
   message.goal = book_->goal;
-  message.agent = script_->agent;
-  message.demonstration = request_.demonstration;
-  message.seed = static_cast<int64_t>(request_.seed);
+  message.agent = episode_.script->agent;
+  message.demonstration = episode_.request.demonstration;
+  message.seed = static_cast<int64_t>(episode_.request.seed);
   bus_.Publish("EPISODE", message);
 }
 
@@ -326,7 +332,7 @@ void Vtb::PublishDeeds() {
                 truth_action_t::TIPPED);
   static_assert(static_cast<int>(Deed::Mistake::kOutOfWorkspace) ==
                 truth_action_t::OUT_OF_WORKSPACE);
-  for (const Deed& deed : deeds_->Update(bus_.now(), world_)) {
+  for (const Deed& deed : episode_.deeds->Update(bus_.now(), world_)) {
     truth_action_t message{};
     message.header.utime = deed.place_utime;
     message.kind = static_cast<int8_t>(deed.kind);

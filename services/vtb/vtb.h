@@ -53,6 +53,19 @@ class Vtb : public Service {
   Vtb(Bus& bus, const Params& params);
 
  private:
+  /// That runs, or ran last; before the first one, that.
+  struct Episode {
+    int64_t id = 0;  ///< counts from 1
+    Request request;
+    const Script* script = nullptr;  ///< of the book
+    std::optional<Demonstrator> demonstrator;
+    std::optional<Bystander> bystander;
+    std::optional<Deeds> deeds;
+    bool is_running = false;
+    int32_t start_tick = 0;
+    int8_t robot_state = execution_t::RUNNING;
+    int32_t num_still = 0;  ///< ticks since all were done
+  };
   struct Appointment {
     int32_t tick;
     Request request;
@@ -83,19 +96,10 @@ class Vtb : public Service {
   std::shared_ptr<const DemonstratorBook> book_;
   std::vector<PartShape> shapes_;
   std::vector<std::unique_ptr<ArmDevice>> arms_;
-  Request request_;                 // of the episode that runs, or ran last
-  const Script* script_ = nullptr;  // of it
-  size_t num_begun_ = 0;            // of the episodes that were planned
-  std::optional<Demonstrator> demonstrator_;
-  std::optional<Bystander> bystander_;
-  std::optional<Deeds> deeds_;  // of the episode
-  std::optional<Appointment> next_;
-  bool is_running_ = false;
-  int64_t episode_ = 0;  // counts from 1
   Attendance attendance_;
-  int8_t robot_state_ = execution_t::RUNNING;
-  int32_t start_tick_ = 0;  // of the episode
-  int32_t num_still_ = 0;   // ticks since all were done
+  Episode episode_;
+  size_t num_begun_ = 0;  // of the episodes that were planned
+  std::optional<Appointment> next_;
 };
 
 /// By deploy/config/vtb.yaml and the task's files; `demonstration` names the

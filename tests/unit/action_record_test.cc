@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <functional>
+#include <limits>
 #include <random>
 
 #include "common/actions/action_model_reader.h"
@@ -156,6 +157,11 @@ TEST_F(Records, ReplaceTheLastOfTheirNameByTheNextVersion) {
               HasSubstr("a new version keeps those of the last: head"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.version = 2; }),
               HasSubstr("the next of 'LayAside' is 1"));
+  for (const int64_t version : {std::numeric_limits<int64_t>::max(),
+                                std::numeric_limits<int64_t>::min()}) {
+    EXPECT_THAT(ReasonFor([&](auto& r) { r.version = version; }),
+                HasSubstr("1 to 1000000000 are kept"));
+  }
 }
 
 TEST_F(Records, OfAnotherTaskInAStoreAreNamed) {
@@ -171,27 +177,27 @@ TEST_F(Records, ReplaceTheModelsThatAreKnown) {
   ActionModels models(task_.domain, task_.parts, task_.actions);
   for (const ActionRecord& record : of_task_) {
     const auto same = models.Take(record);
-    EXPECT_FALSE(same.has_changed) << record.name;
-    EXPECT_EQ(same.refusal, "");
+    ASSERT_TRUE(same) << same.reason();
+    EXPECT_EQ(*same, ActionModels::Update::kNone) << record.name;
   }
   ActionRecord changed = *known_.FindNamed("RemoveHead");
   changed.version = 2;
   changed.rules =
       "- {context: [HeadScrewed(X)], outcomes: [{probability: 0.5, effects: "
       "[not HeadScrewed(X)]}], noise: 0.5}";
-  EXPECT_TRUE(models.Take(changed).has_changed);
-  EXPECT_FALSE(models.Take(changed).has_changed);
+  EXPECT_EQ(*models.Take(changed), ActionModels::Update::kChanged);
+  EXPECT_EQ(*models.Take(changed), ActionModels::Update::kNone);
   const int place = *models.domain().FindAction("RemoveHead");
   EXPECT_EQ(models.domain().actions()[place].rules[0].noise, 0.5);
   EXPECT_EQ(models.models()[place].version, 2);
   EXPECT_EQ(models.models().size(), task_.actions.size());
 
-  EXPECT_TRUE(models.Take(New()).has_changed);
+  EXPECT_EQ(*models.Take(New()), ActionModels::Update::kChanged);
   EXPECT_EQ(models.models().back().action.name, "LayAside");
   changed.rules = "- nonsense";
   const auto refused = models.Take(changed);
-  EXPECT_FALSE(refused.has_changed);
-  EXPECT_THAT(refused.refusal, HasSubstr("RemoveHead:rules[0]"));
+  EXPECT_FALSE(refused);
+  EXPECT_THAT(refused.reason(), HasSubstr("RemoveHead:rules[0]"));
   EXPECT_EQ(models.models()[place].version, 2);
 }
 
@@ -265,6 +271,10 @@ TEST_F(Records, AreReadStrictlyFromJson) {
               HasSubstr("a.json.format: should be"));
   EXPECT_THAT(complaint("\"id\": 0", "\"id\": 0.5"),
               HasSubstr("a.json:actions[0].id: should be a whole number"));
+  EXPECT_THAT(complaint("\"version\": 1,", "\"version\": 9223372036854775807,"),
+              HasSubstr("a.json:actions[0].version: is not 1 to 1000000000"));
+  EXPECT_THAT(complaint("\"version\": 1,", "\"version\": 0,"),
+              HasSubstr("a.json:actions[0].version: is not 1 to 1000000000"));
   EXPECT_THAT(complaint("\"undoes\"", "\"undos\""),
               HasSubstr("a.json:actions[0].undos: not known"));
   EXPECT_THAT(complaint("\"undoes\": \"\",", ""),

@@ -73,11 +73,10 @@ class CellReach : public testing::Test {
         for (const double turn : {0.0, std::numbers::pi}) {
           const Isometry3d X_OG =
               grasp.X_OG * AngleAxisd(turn, Vector3d::UnitZ());
-          for (const PlaceChoice& place :
-               reach
-                   .Placements(part, X_OG.inverse(), grip, grasp.width, target,
-                               Arm(arm).home)
-                   .list) {
+          const auto places = reach.Placements(
+              part, X_OG.inverse(), grip, grasp.width, target, Arm(arm).home);
+          if (!places) continue;
+          for (const PlaceChoice& place : *places) {
             ways.push_back({X_OG, place});
           }
         }
@@ -197,14 +196,14 @@ TEST_F(CellReach, WhatIsTakenFromTheTableFindsItsWayToTheSite) {
           Reach(scene, arm.name).Transfers(part, target, arm.home);
       if (!transfers) return;  // a case for the other arm
       ++num_transfers;
-      const auto& [grasp, place, is_same_branch] = transfers.list.front();
+      const auto& [grasp, place, is_same_branch] = transfers->front();
       EXPECT_TRUE(is_same_branch) << part;
       const auto way = [&](const Joints& from, const Joints& to,
                            double opening) {
         const JointPath path = PlanPath(
             from, {to}, {arm.home},
             AskScene(scene, arm.name, {from, grasp.grip, opening}, {}));
-        EXPECT_TRUE(path) << part << ": " << path.reason;
+        EXPECT_TRUE(path) << part << ": " << path.reason();
       };
       way(arm.home, grasp.q_approach, grasp.opening);
       scene.Hold(arm.name, part, grasp.X_OG.inverse());

@@ -256,7 +256,8 @@ class ContactOnArm : public testing::Test {
     ContactStage stage(kinematics_, sensor_, frames_, maker, &peak_force_);
     Sense({0, 60, 0});
     for (int i = 0; i < 20; ++i) {
-      EXPECT_EQ(Step(stage), SkillStage::State::kRunning) << stage.reason();
+      EXPECT_EQ(Step(stage), SkillStage::State::kRunning)
+          << stage.failure().reason;
     }
     EXPECT_NEAR(peak_force_, 60, 0.1);
     Sense({0, 150, 0});
@@ -265,7 +266,7 @@ class ContactOnArm : public testing::Test {
       state = Step(stage);
     }
     EXPECT_EQ(state, SkillStage::State::kFailed);
-    EXPECT_THAT(stage.reason(), HasSubstr("limits.force_n"));
+    EXPECT_THAT(stage.failure().reason, HasSubstr("limits.force_n"));
     EXPECT_GT(peak_force_, 100);
   }
 
@@ -285,7 +286,8 @@ TEST_F(ContactOnArm, FollowsTheMotionWithItsJoints) {
                      &peak_force_);
   const Vector3d begin = kinematics_.GripperPose(command_.q).translation();
   for (int i = 0; i < 25; ++i) {
-    ASSERT_EQ(Step(stage), SkillStage::State::kRunning) << stage.reason();
+    ASSERT_EQ(Step(stage), SkillStage::State::kRunning)
+        << stage.failure().reason;
   }
   const Vector3d way =
       kinematics_.GripperPose(command_.q).translation() - begin;
@@ -313,7 +315,7 @@ TEST_F(ContactOnArm, BearsASilentSensorForItsPatienceAlone) {
   }
   EXPECT_EQ(command_.q, q);
   EXPECT_EQ(Step(stage), SkillStage::State::kFailed);
-  EXPECT_EQ(stage.reason(),
+  EXPECT_EQ(stage.failure().reason,
             "the wrist force-torque sensor has been silent for more than the "
             "0.05 s allowed (force_sensor.patience_s)");
 }

@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/unit/source_text.h"
 
 namespace cell {
 namespace {
@@ -18,16 +18,6 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// The text of each file, by its name.
-using Sources = std::map<std::string, std::string>;
-
-std::string WithoutCommentsAndTexts(const std::string& text) {
-  static const std::regex kPassedOver(
-      R"re(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|#[^\n]*)re"
-      R"re(|R"(\w*)\([\s\S]*?\)\2"|"(\\.|[^"\\\n])*"|'(\\.|[^'\\\n])')re");
-  return std::regex_replace(text, kPassedOver, "");
-}
 
 /// What the text before a brace, or before a semicolon, defines.
 std::string TypeIn(const std::string& head) {
@@ -98,31 +88,6 @@ std::vector<std::string> TwinsIn(const Sources& sources) {
     twins.push_back(twin);
   }
   return twins;
-}
-
-Sources SourcesBelow(const std::vector<std::string>& folders) {
-  const fs::path root = CELL_SOURCE_DIR;
-  Sources sources;
-  for (const std::string& folder : folders) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const fs::path extension = entry.path().extension();
-      if (extension != ".h" && extension != ".cc" && extension != ".lcm") {
-        continue;
-      }
-      std::ifstream file(entry.path());
-      std::stringstream text;
-      // A type of a message is a class of the namespace that its package is.
-      if (extension == ".lcm") text << "namespace cell {\n";
-      text << file.rdbuf();
-      if (extension == ".lcm") text << "}\n";
-      const auto name = entry.path().lexically_relative(root).string();
-      sources[name] =
-          extension == ".lcm"
-              ? std::regex_replace(text.str(), std::regex("package [^;]*;"), "")
-              : text.str();
-    }
-  }
-  return sources;
 }
 
 TEST(Definitions, AreOneForEachTypeOfTheProgramsAndMessages) {

@@ -98,8 +98,8 @@ class ArmThatHoldsTheHead : public FasteningTest {
     ArmScene scene(task_.parts, task_.layout);
     scene.PutPart("head", stage_.PoseOf("head"));
     const auto grasps = Reach(scene, "right").Grasps("head", arm.home);
-    ASSERT_TRUE(grasps) << grasps.reason;
-    grasp_ = grasps.list.front();
+    ASSERT_TRUE(grasps) << grasps.reason();
+    grasp_ = grasps->front();
     ASSERT_FALSE(head.grasps.empty());
     service_ = MakeRobotArm(stepper_, ShippedDeployment(), "right");
     Run(80);

@@ -97,7 +97,7 @@ TEST(FollowWay, FailsWithTheReasonOfTheAnswer) {
   client.Put(none);
   ArmCommand command;
   EXPECT_EQ(stage.Step({}, 0.008, &command), State::kFailed);
-  EXPECT_EQ(stage.reason(), "the table is in the way");
+  EXPECT_EQ(stage.failure().reason, "the table is in the way");
 }
 
 class ReachingParts : public testing::Test {

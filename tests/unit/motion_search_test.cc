@@ -71,15 +71,15 @@ TEST_F(MotionSearching, WhatCanBeMovedLeavesAPartWithinReach) {
 
 TEST_F(MotionSearching, WhereAnotherArmStandsNowDoesNotCount) {
   const auto taken = GraspsOfLeft();
-  ASSERT_TRUE(taken) << taken.reason;
+  ASSERT_TRUE(taken) << taken.reason();
   MotionRequest request = cell_.Take("round_peg_1", "right");
-  request.arms["left"].posture = {taken.list[0].q_grasp, taken.list[0].grip,
+  request.arms["left"].posture = {taken->front().q_grasp, taken->front().grip,
                                   0.05};
   const MotionPlan plan = Find(request);
   EXPECT_TRUE(plan) << plan.reason;
   // But what it holds is gone.
   request.arms["left"].held =
-      ArmScene::Held{"round_peg_1", taken.list[0].X_OG.inverse()};
+      ArmScene::Held{"round_peg_1", taken->front().X_OG.inverse()};
   EXPECT_FALSE(Find(request));
 }
 

@@ -37,9 +37,9 @@ TEST_F(ReachTest, EveryGraspBringsTheGripperWhereItSays) {
   scene_.PutPart("shaft", X_WO);
   for (const char* arm : {"left", "right"}) {
     const auto grasps = Grasps(arm, "shaft");
-    ASSERT_TRUE(grasps) << grasps.reason;
+    ASSERT_TRUE(grasps) << grasps.reason();
     double last_cost = 0;
-    for (const GraspChoice& grasp : grasps.list) {
+    for (const GraspChoice& grasp : *grasps) {
       const Isometry3d X_WG = X_WO * grasp.X_OG;
       EXPECT_TRUE(GripperPose(Arm(arm), grasp.q_grasp).isApprox(X_WG, 1e-6));
       EXPECT_TRUE(
@@ -54,16 +54,17 @@ TEST_F(ReachTest, EveryGraspBringsTheGripperWhereItSays) {
 
 TEST_F(ReachTest, SaysThatAPartIsOutOfReach) {
   scene_.PutPart("shaft", Standing(-0.38, -0.64));
-  EXPECT_THAT(Grasps("right", "shaft").reason,
+  EXPECT_THAT(Grasps("right", "shaft").reason(),
               testing::MatchesRegex("outside the arm's workspace: x .* mm, .* "
                                     "to .* mm are allowed"));
   scene_.PutPart("shaft", Standing(-0.358, -0.64));
-  EXPECT_THAT(Grasps("right", "shaft").reason,
+  EXPECT_THAT(Grasps("right", "shaft").reason(),
               HasSubstr("outside the arm's workspace: x"))
       << "too near to the border";
   scene_.PutPart("shaft", Standing(-0.34, -0.64));
-  EXPECT_EQ(Grasps("right", "shaft").reason, "out of reach");
-  EXPECT_EQ(Grasps("right", "head").reason, "head is nowhere to be taken from");
+  EXPECT_EQ(Grasps("right", "shaft").reason(), "out of reach");
+  EXPECT_EQ(Grasps("right", "head").reason(),
+            "head is nowhere to be taken from");
 }
 
 TEST_F(ReachTest, NamesWhatIsInTheWay) {
@@ -73,21 +74,21 @@ TEST_F(ReachTest, NamesWhatIsInTheWay) {
   }
   // Fingers fit in from the other sides only.
   const auto grasps = Grasps("right", "shaft");
-  ASSERT_TRUE(grasps) << grasps.reason;
+  ASSERT_TRUE(grasps) << grasps.reason();
   scene_.PutPart("round_peg_1", Standing(0.10, -0.352));
   scene_.PutPart("round_peg_2", Standing(0.10, -0.448));
-  EXPECT_THAT(Grasps("right", "shaft").reason,
+  EXPECT_THAT(Grasps("right", "shaft").reason(),
               testing::MatchesRegex("gripper_right.* would hit .*peg_."));
 }
 
 TEST_F(ReachTest, TakesTheGripThatTheHandKnows) {
   scene_.PutPart("head", Standing(0.10, -0.40, 0));
   const auto right = Grasps("right", "head");
-  ASSERT_TRUE(right) << right.reason;
-  EXPECT_EQ(right.list.front().grip, "three_finger_ball");
+  ASSERT_TRUE(right) << right.reason();
+  EXPECT_EQ(right->front().grip, "three_finger_ball");
   const auto left = Grasps("left", "head");
-  ASSERT_TRUE(left) << left.reason;
-  EXPECT_EQ(left.list.front().grip, "two_finger_pinch");
+  ASSERT_TRUE(left) << left.reason();
+  EXPECT_EQ(left->front().grip, "two_finger_pinch");
 }
 
 TEST_F(ReachTest, AHandTooSmallTakesNothing) {
@@ -95,7 +96,7 @@ TEST_F(ReachTest, AHandTooSmallTakesNothing) {
   for (ArmLayout& arm : layout.arms) arm.hand.max_opening = 0.05;
   ArmScene scene(task_.parts, layout);
   scene.PutPart("head", Standing(0.10, -0.40, 0));
-  EXPECT_EQ(Reach(scene, "left").Grasps("head", Arm("left").home).reason,
+  EXPECT_EQ(Reach(scene, "left").Grasps("head", Arm("left").home).reason(),
             "too wide for the hand");
 }
 
@@ -106,9 +107,9 @@ TEST_F(ReachTest, PlacesAPartInAnyWayThatLooksTheSame) {
       Reach(scene_, "right")
           .Placements("square_peg_1", grasp.X_OG.inverse(), "two_finger_pinch",
                       grasp.width, target, Arm("right").home);
-  ASSERT_TRUE(places) << places.reason;
+  ASSERT_TRUE(places) << places.reason();
   bool is_turned = false;
-  for (const PlaceChoice& place : places.list) {
+  for (const PlaceChoice& place : *places) {
     const Isometry3d X_WG = place.X_WO * grasp.X_OG;
     EXPECT_TRUE(GripperPose(Arm("right"), place.q_place).isApprox(X_WG, 1e-6));
     EXPECT_TRUE(
@@ -136,7 +137,7 @@ TEST_F(ReachTest, AnOccupiedSiteIsNamed) {
           .Placements("round_peg_1", grasp.X_OG.inverse(), "two_finger_pinch",
                       grasp.width, target, Arm("right").home);
   EXPECT_FALSE(places);
-  EXPECT_THAT(places.reason, HasSubstr("would hit round_peg_2"));
+  EXPECT_THAT(places.reason(), HasSubstr("would hit round_peg_2"));
 }
 
 TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
@@ -148,8 +149,8 @@ TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
         Reach(scene_, "right")
             .Placements("round_peg_1", grasp.X_OG.inverse(), "two_finger_pinch",
                         grasp.width, target, Arm("right").home);
-    ASSERT_TRUE(places) << places.reason;
-    for (const PlaceChoice& place : places.list) {
+    ASSERT_TRUE(places) << places.reason();
+    for (const PlaceChoice& place : *places) {
       // The flange looks down: turning by joint 6 is turning the other way.
       Joints turned = place.q_place;
       turned[5] -= turn;
@@ -167,7 +168,7 @@ TEST_F(ReachTest, LeavesRoomForTurningAfterwards) {
       Reach(scene_, "right")
           .Placements("round_peg_1", grasp.X_OG.inverse(), "two_finger_pinch",
                       grasp.width, target, Arm("right").home)
-          .reason,
+          .reason(),
       testing::StartsWith("beyond a joint limit: joint 6 at "));
 }
 
@@ -176,14 +177,14 @@ TEST_F(ReachTest, TransfersStayInOneConfigurationWhereTheyCan) {
   const auto transfers =
       Reach(scene_, "right")
           .Transfers("pendulum", At("base.pendulum"), Arm("right").home);
-  ASSERT_TRUE(transfers) << transfers.reason;
+  ASSERT_TRUE(transfers) << transfers.reason();
   const ArmModel& model = *Arm("right").model;
-  for (const TransferChoice& transfer : transfers.list) {
+  for (const TransferChoice& transfer : *transfers) {
     EXPECT_EQ(transfer.is_same_branch,
               model.ConfigurationOf(transfer.grasp.q_grasp) ==
                   model.ConfigurationOf(transfer.place.q_place));
   }
-  EXPECT_TRUE(transfers.list.front().is_same_branch);
+  EXPECT_TRUE(transfers->front().is_same_branch);
 }
 
 TEST_F(ReachTest, AStraightLineStaysInItsConfigurationAndSaysWhereItEnds) {
@@ -191,8 +192,8 @@ TEST_F(ReachTest, AStraightLineStaysInItsConfigurationAndSaysWhereItEnds) {
   const Isometry3d X_WG = GripperPose(arm, arm.home);
   const auto line =
       TrackLine(arm, arm.home, Eigen::Translation3d(0, -0.1, -0.1) * X_WG);
-  ASSERT_TRUE(line) << line.reason;
-  for (const Joints& q : line.track) {
+  ASSERT_TRUE(line) << line.reason();
+  for (const Joints& q : *line) {
     EXPECT_EQ(arm.model->ConfigurationOf(q),
               arm.model->ConfigurationOf(arm.home));
     EXPECT_TRUE(GripperPose(arm, q).linear().isApprox(X_WG.linear(), 1e-6));

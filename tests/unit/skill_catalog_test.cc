@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "services/robot_arm/motions.h"
 #include "services/robot_arm/stage_runner.h"
 
 namespace cell {
@@ -59,7 +60,7 @@ class Steps : public SkillStage {
     command->opening += 1;
     return --num_ > 0 ? State::kRunning : end_;
   }
-  std::string reason() const override { return "it broke"; }
+  Failure failure() const override { return {"it broke"}; }
 
  private:
   int num_;
@@ -103,7 +104,8 @@ TEST_F(Runner, AStageThatFailsEndsAllWithItsReason) {
   Add("a", 1, SkillStage::State::kFailed);
   Add("b", 1, SkillStage::State::kDone);
   EXPECT_EQ(Step(), Status::kFailed);
-  EXPECT_EQ(stages_.reason(), "it broke");
+  EXPECT_EQ(stages_.failure().reason, "it broke");
+  EXPECT_EQ(stages_.failure().cause, Failure::Cause::kOther);
   EXPECT_EQ(Step(), Status::kDone);
   EXPECT_THAT(done_, IsEmpty());
 }
@@ -113,7 +115,28 @@ TEST_F(Runner, AStageThatCannotBeMadeEndsAllWithTheReason) {
                  return Reason{"nobody knows where it is"};
                }});
   EXPECT_EQ(Step(), Status::kFailed);
-  EXPECT_EQ(stages_.reason(), "nobody knows where it is");
+  EXPECT_EQ(stages_.failure().reason, "nobody knows where it is");
+}
+
+TEST_F(Runner, WaitsForAPersonAndThenNamesThemAsTheCause) {
+  bool is_in_the_way = true;
+  const auto wait = [&](double patience) {
+    stages_.Add({{"a"}, [&, patience]() -> StageRunner::Made {
+                   return std::make_unique<WaitForPerson>(
+                       [&] { return is_in_the_way; }, patience);
+                 }});
+  };
+  wait(0.012);
+  EXPECT_EQ(Step(), Status::kRunning);
+  EXPECT_EQ(Step(), Status::kFailed);
+  EXPECT_EQ(stages_.failure().cause, Failure::Cause::kPersonInTheWay);
+  wait(0);
+  EXPECT_EQ(Step(), Status::kFailed);
+  EXPECT_FALSE(stages_.has_moved());
+  is_in_the_way = false;
+  wait(0);
+  EXPECT_EQ(Step(), Status::kRunning);
+  EXPECT_EQ(Step(), Status::kDone);
 }
 
 TEST_F(Runner, WhereThereIsNothingToDoItGoesOnAtOnce) {

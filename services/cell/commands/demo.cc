@@ -41,7 +41,7 @@ PlannedKill ParseKill(const std::string& text, const Roster& roster) {
   const size_t at = text.rfind('@');  // names may have one, too
   if (at != std::string::npos) {
     PlannedKill kill{text.substr(0, at), 0};
-    const auto tick = ParseDecimal<int>(text.substr(at + 1)).value;
+    const auto tick = ParseDecimal<int>(text.substr(at + 1));
     if (tick && *tick >= 0 && roster.IndexOf(kill.service).value_or(0) > 0) {
       kill.tick = *tick;
       return kill;

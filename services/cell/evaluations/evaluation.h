@@ -50,6 +50,9 @@ void AddTrials(const std::string& group, int num, uint64_t seed,
 /// measures are a function of the rows.
 class Evaluation {
  public:
+  Evaluation() = default;
+  Evaluation(const Evaluation&) = delete;
+  Evaluation& operator=(const Evaluation&) = delete;
   virtual ~Evaluation() = default;
   virtual std::string name() const = 0;
   virtual std::string description() const = 0;

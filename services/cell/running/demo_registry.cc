@@ -57,7 +57,7 @@ std::string StartOf(int pid) {
 std::optional<RunningDemo> DemoOf(const fs::path& file) {
   const std::string name = file.filename().string();
   if (!name.starts_with(kPrefix)) return std::nullopt;
-  const auto pid = ParseDecimal<int>(name.substr(sizeof(kPrefix) - 1)).value;
+  const auto pid = ParseDecimal<int>(name.substr(sizeof(kPrefix) - 1));
   std::ifstream text(file);
   std::string start, run;
   std::getline(text, start);

@@ -27,7 +27,7 @@ class ContactStage : public SkillStage {
                double* peak_force);
   State Step(const ArmReading& reading, double dt,
              ArmCommand* command) override;
-  std::string reason() const override { return reason_; }
+  Failure failure() const override { return {reason_}; }
 
  private:
   const ToolKinematics& kinematics_;

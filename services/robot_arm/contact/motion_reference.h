@@ -21,6 +21,9 @@ class MotionReference {
     bool is_pressing = false;
   };
 
+  MotionReference() = default;
+  MotionReference(const MotionReference&) = delete;
+  MotionReference& operator=(const MotionReference&) = delete;
   virtual ~MotionReference() = default;
   /// Goes on by a tick of `dt` [s], slowed down to `rate` in (0, 1] of its
   /// speed.

@@ -20,6 +20,9 @@ class Termination {
     std::string reason;  ///< why it is stuck or has failed, in plain words
   };
 
+  Termination() = default;
+  Termination(const Termination&) = delete;
+  Termination& operator=(const Termination&) = delete;
   virtual ~Termination() = default;
   virtual Verdict Judge(const ContactState& state) const = 0;
   /// [m] along -z from `height` to where the motion shall end.

@@ -23,24 +23,24 @@ const Site* SiteOf(const SkillRequest& request, const Arm& arm) {
 
 void AddTare(SkillRun& run) {
   run.Add({"tare"}, [&run]() -> Made {
-    return std::make_unique<Tare>(run.arm().sensor);
+    return std::make_unique<Tare>(run.arm().sensor());
   });
 }
 
 Made Contacting(SkillRun& run, ContactMotionMaker maker) {
-  return std::make_unique<ContactStage>(run.arm().kinematics, run.arm().sensor,
-                                        run.FramesAtSite(), std::move(maker),
-                                        run.peak_force());
+  return std::make_unique<ContactStage>(run.arm().kinematics(),
+                                        run.arm().sensor(), run.FramesAtSite(),
+                                        std::move(maker), run.peak_force());
 }
 
 /// A part that is on its thread, and not home: it is turned on from there.
 Made GoOnScrewing(SkillRun& run, double pitch) {
   Arm& arm = run.arm();
-  arm.sensor.Unload();
+  arm.sensor().Unload();
   const auto target = run.TargetAtSite();
   if (!target) return Reason{target.reason()};
   const Isometry3d X_SO = target->X_WO.inverse() *
-                          arm.kinematics.GripperPose(arm.command().q) *
+                          arm.kinematics().GripperPose(arm.command().q) *
                           arm.held()->X_GO;
   const Eigen::Matrix3d& R = X_SO.linear();
   const double yaw = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
@@ -102,7 +102,7 @@ class Insert final : public Skill {
     });
     run.Add({"tare"}, [&run]() -> Made {
       run.arm().is_near = true;
-      return std::make_unique<Tare>(run.arm().sensor);
+      return std::make_unique<Tare>(run.arm().sensor());
     });
     run.Add({"seat", Contact::kParts}, [&run, type = site.type] {
       return Contacting(

@@ -27,6 +27,9 @@ struct SkillTraits {
 /// which stages. One file each in this folder, entered in skill_catalog.cc.
 class Skill {
  public:
+  Skill() = default;
+  Skill(const Skill&) = delete;
+  Skill& operator=(const Skill&) = delete;
   virtual ~Skill() = default;
 
   virtual std::string name() const = 0;
