@@ -158,6 +158,7 @@ TEST(CameraSet, AFrameThatIsTooLongNamesTheKeysThatHelp) {
   };
   Roster roster = TheRoster();
   roster.entries.resize(2);
+  roster.entries[1].latency = 1;  // it acts without being woken
   SimBus bus(roster, factories);
   std::vector<std::string> told;
   while (bus.Step()) {

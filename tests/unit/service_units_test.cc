@@ -1,11 +1,12 @@
 // What a person is told of systemd, and of the environment of a cell's units.
+#include "services/cell/running/service_units.h"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
 #include "common/config/strict_yaml.h"
 #include "services/cell/running/manager_failure.h"
-#include "services/cell/running/service_units.h"
 #include "services/cell/running/unit_environment.h"
 
 namespace cell {
@@ -24,14 +25,15 @@ constexpr char kNoSystemd[] =
 
 TEST(ManagerFailure, WithoutSystemdItSaysSoAndWhatRunsACellThen) {
   for (const bool is_root : {false, true}) {
-    const std::string text = Explain({.output = kNoSystemd, .is_root = is_root});
+    const std::string text =
+        Explain({.output = kNoSystemd, .is_root = is_root});
     EXPECT_THAT(text, AllOf(HasSubstr("systemd does not run here"),
                             HasSubstr("cell demo"), Not(HasSubstr("PID 1")),
                             Not(HasSubstr("root")), Not(HasSubstr("\n"))));
   }
-  EXPECT_THAT(Explain({.output = "sh: 1: systemctl: not found\n",
-                       .exit_code = 127}),
-              HasSubstr("systemd does not run here"));
+  EXPECT_THAT(
+      Explain({.output = "sh: 1: systemctl: not found\n", .exit_code = 127}),
+      HasSubstr("systemd does not run here"));
 }
 
 TEST(ManagerFailure, AUserWithoutAManagerIsToldHowToGetOne) {
@@ -91,9 +93,8 @@ TEST(UnitEnvironment, NamesFileKeyAndLineOfWhatIsWrong) {
               HasSubstr("environment:CELL_URL: "));
   EXPECT_THAT(ErrorOf("CELL_CAMERAS=yes"),
               HasSubstr("should be --cameras or nothing"));
-  EXPECT_THAT(ErrorOf("CELL_SED=7"),
-              AllOf(HasSubstr("environment:CELL_SED: "),
-                    HasSubstr("CELL_SEED")));
+  EXPECT_THAT(ErrorOf("CELL_SED=7"), AllOf(HasSubstr("environment:CELL_SED: "),
+                                           HasSubstr("CELL_SEED")));
   EXPECT_THAT(ErrorOf("cell up"), HasSubstr("is not of the form KEY=VALUE"));
 }
 

@@ -19,12 +19,14 @@ std::string Explain(const ManagerFailure& failure) {
       Has(output, "not been booted with systemd") ||
       (!failure.is_user && Has(output, "Failed to connect to bus"))) {
     return "systemd does not run here (in a container it usually does not); "
-           "`cell up`, `cell status` and `cell down` work with it. Without it a "
+           "`cell up`, `cell status` and `cell down` work with it. Without it "
+           "a "
            "cell runs by: cell demo";
   }
   if (Has(output, "Failed to connect to bus")) {
     return "this user has no systemd manager that can be reached: log in as "
-           "this user, not by su or sudo (then $XDG_RUNTIME_DIR is set), or let "
+           "this user, not by su or sudo (then $XDG_RUNTIME_DIR is set), or "
+           "let "
            "it run without a login: loginctl enable-linger USER";
   }
   if (Has(output, "not found") || Has(output, "not loaded")) {

@@ -105,8 +105,8 @@ std::vector<ServiceUnit> ServiceManager::Units() const {
 }
 
 std::string ServiceManager::Run(const std::string& arguments) const {
-  const auto [output, status] = OutputOf(fmt::format(
-      "systemctl {}{} 2>&1", is_user_ ? "--user " : "", arguments));
+  const auto [output, status] = OutputOf(
+      fmt::format("systemctl {}{} 2>&1", is_user_ ? "--user " : "", arguments));
   if (status == 0) return output;
   throw std::runtime_error(
       Explain({.output = output,

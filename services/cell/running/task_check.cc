@@ -140,10 +140,10 @@ void CheckTask(const CellFiles& files, const RunRequest& request) {
   CheckSkills(deployment.OfTask("domain.yaml"), task);
   const Config roster = deployment.ForService("roster");
   CheckRoster(roster, files);
-  const SimBus all(
-      request.has_cameras ? WithOption(files.roster, roster, "cameras")
-                          : files.roster,
-      AllServices(deployment, request.demonstration, 1));
+  const SimBus all(request.has_cameras
+                       ? WithOption(files.roster, roster, "cameras")
+                       : files.roster,
+                   AllServices(deployment, request.demonstration, 1));
 }
 
 }  // namespace cell::cli

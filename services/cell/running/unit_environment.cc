@@ -102,8 +102,7 @@ std::string UnitEnvironment::ValueOf(const std::string& key) const {
 
 void UnitEnvironment::Fail(const std::string& key,
                            const std::string& message) const {
-  throw ConfigError(
-      ConfigMessage(file_, key, entries_.at(key).line, message));
+  throw ConfigError(ConfigMessage(file_, key, entries_.at(key).line, message));
 }
 
 void UnitEnvironment::RequireOneOf(const std::string& key,
