@@ -159,7 +159,7 @@ class Demo {
     if (const auto why =
             restarts_.WhyNot(death, outputs_.LastLineOf(death.name))) {
       throw std::runtime_error(death.name + ": " + death.cause +
-                               ", the run ends, for " + *why);
+                               "; the run ends, because " + *why);
     }
     report_.Say(death.name + ": " + death.cause + ", restarted" + where);
     Start(death.name);

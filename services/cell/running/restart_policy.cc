@@ -33,7 +33,10 @@ std::optional<std::string> RestartPolicy::WhyNot(
   if (!record.reason.empty() && record.reason == last) {
     return because("it fails again for the same reason");
   }
-  if (record.num_deaths > kMaxRestarts) return because("again and again");
+  if (record.num_deaths > kMaxRestarts) {
+    return because("it has died " + std::to_string(record.num_deaths) +
+                   " times");
+  }
   return std::nullopt;
 }
 
