@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,19 @@
 #include "common/bus/manifest.h"
 
 namespace cell {
+namespace {
+
+// Of ".07" 7: lcm-logger writes at least two digits.
+std::optional<int64_t> PartNumber(const std::string& suffix) {
+  constexpr size_t kMaxDigits = 9;
+  const bool is_number =
+      suffix.size() > 2 && suffix.size() <= 1 + kMaxDigits &&
+      suffix.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (!is_number) return std::nullopt;
+  return std::stoll(suffix.substr(1));
+}
+
+}  // namespace
 
 std::vector<std::filesystem::path> LogsOf(
     const std::filesystem::path& run_dir) {
@@ -25,12 +39,38 @@ std::vector<std::filesystem::path> LogsOf(
   return logs;
 }
 
+std::vector<std::filesystem::path> LoggerPartsOf(
+    const std::filesystem::path& folder) {
+  std::map<int64_t, std::filesystem::path> parts;
+  if (!std::filesystem::is_directory(folder)) return {};
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path& path = entry.path();
+    const std::string suffix = path.extension().string();
+    const auto number = PartNumber(suffix);
+    if (!number || !entry.is_regular_file()) continue;
+    if (!parts.empty() && parts.begin()->second.stem() != path.stem()) {
+      throw std::runtime_error(fmt::format(
+          "{}: holds the parts of two recordings, {} and {}; name one file, or "
+          "give each a folder of its own",
+          folder.string(), parts.begin()->second.filename().string(),
+          path.filename().string()));
+    }
+    parts[*number] = path;
+  }
+  std::vector<std::filesystem::path> logs;
+  for (const auto& [number, path] : parts) logs.push_back(path);
+  return logs;
+}
+
 std::vector<std::filesystem::path> RequireLogsOf(
     const std::filesystem::path& run_dir) {
   auto logs = LogsOf(run_dir);
+  if (logs.empty()) logs = LoggerPartsOf(run_dir);
   if (logs.empty()) {
     throw std::runtime_error(run_dir.string() +
-                             ": no *.lcmlog in it; is it a run folder?");
+                             ": no *.lcmlog in it, nor parts of a recording of "
+                             "lcm-logger (NAME.00, NAME.01, ...); is it a run "
+                             "folder?");
   }
   return logs;
 }

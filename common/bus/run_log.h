@@ -43,7 +43,12 @@ class RunLog {
 
 /// The logs of a run folder, in the order in which they were written.
 std::vector<std::filesystem::path> LogsOf(const std::filesystem::path& run_dir);
-/// The same. @throws std::runtime_error naming the folder if there is none.
+/// The parts NAME.00, NAME.01, ... into which lcm-logger has cut a recording,
+/// in order. @throws std::runtime_error if they are of several recordings.
+std::vector<std::filesystem::path> LoggerPartsOf(
+    const std::filesystem::path& folder);
+/// LogsOf(); where there are none, LoggerPartsOf().
+/// @throws std::runtime_error naming the folder if there are none either.
 std::vector<std::filesystem::path> RequireLogsOf(
     const std::filesystem::path& run_dir);
 

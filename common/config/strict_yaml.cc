@@ -167,8 +167,11 @@ class Checker final : public YAML::EventHandler {
     if (key.empty()) Refuse(mark, "a key is empty");
     frame.key = key;
     RequireNoTag(mark, tag);
+    RequireUncut(mark, tag, key);
     if (key == "<<") {
-      Refuse(mark, "merging (<<) is not known here; write the keys out");
+      Refuse(mark,
+             "merge keys (<<: *anchor) are not supported; write the "
+             "keys out");
     }
     if (!frame.keys.insert(key).second) {
       Refuse(mark, "the key is there already");
@@ -185,11 +188,17 @@ class Checker final : public YAML::EventHandler {
     if (value.find('\0') != std::string::npos) {
       Refuse(mark, "has the character 0");
     }
+    RequireUncut(mark, tag, value);
+  }
+
+  // A comma ends a plain text within [ ] and { }, a literal's too.
+  void RequireUncut(const YAML::Mark& mark, const std::string& tag,
+                    const std::string& text) const {
     const bool is_plain = tag != "!";
     if (is_plain && !frames_.empty() && frames_.back().is_flow &&
-        std::count(value.begin(), value.end(), '(') !=
-            std::count(value.begin(), value.end(), ')')) {
-      Refuse(mark, "'" + value +
+        std::count(text.begin(), text.end(), '(') !=
+            std::count(text.begin(), text.end(), ')')) {
+      Refuse(mark, "'" + text +
                        "' is cut off by a comma; within [ ] and { } it needs "
                        "quotes: \"Name(X, Y)\"");
     }

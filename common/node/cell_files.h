@@ -21,9 +21,16 @@ struct CellFiles {
 /// roster that cannot be used.
 CellFiles FindCellFiles(const std::string& deploy_dir);
 
+/// Those of the cell that was installed, which its units run by, whichever
+/// program asks. @throws like FindCellFiles().
+CellFiles FindInstalledCellFiles();
+
 /// Where the programs of the services are: beside this program (a build tree)
 /// or where the cell was installed.
 std::filesystem::path FolderOfPrograms();
+
+/// Where an installed cell has config/ and the environment of its units.
+std::filesystem::path InstalledConfigDir();
 
 /// Where an installed cell has its tasks, its message types and their jar.
 std::filesystem::path InstalledDataDir();

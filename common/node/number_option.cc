@@ -12,13 +12,15 @@
 namespace cell {
 namespace {
 
+/// Names the limits that somebody has set: " of at least 1". Those of the type
+/// are named only of whole numbers that have no others.
 template <class T>
 std::string RangeText(T low, T high) {
   const bool has_low = low > std::numeric_limits<T>::lowest();
   const bool has_high = high < std::numeric_limits<T>::max();
+  if (has_low && !has_high) return fmt::format(" of at least {}", low);
   if (has_high || std::is_integral_v<T>)
     return fmt::format(" from {} to {}", low, high);
-  if (has_low) return fmt::format(", {} or more", low);
   return "";
 }
 
@@ -30,9 +32,10 @@ CLI::Validator NumberIn(T low, T high) {
     const Result<T> number = ParseDecimal<T>(text);
     const bool is_inside = number && *number >= low && *number <= high;
     if (is_inside) return "";
-    return fmt::format("'{}' {}; should be a {}number{}", text,
-                       number ? "is out of range" : number.reason(),
-                       std::is_integral_v<T> ? "whole " : "",
+    const std::string what =
+        std::is_integral_v<T> ? "a whole number" : "a number";
+    return fmt::format("'{}' {}; should be {}{}", text,
+                       number ? "is out of range" : number.reason(), what,
                        RangeText(low, high));
   };
   return CLI::Validator(check, RangeText(low, high));

@@ -88,14 +88,20 @@ const std::atomic<bool>& StopOnSignals() {
 }
 
 int ReportFailures(const std::string& name, const std::function<int()>& run) {
+  const auto report = [&](const std::exception& e, int exit_code) {
+    const std::string reason = PrintableLines(e.what());
+    std::cerr << name << ": " << reason << std::endl;
+    TellServiceManagerWhy(reason);
+    return exit_code;
+  };
   try {
     return run();
   } catch (const std::invalid_argument& e) {
-    std::cerr << name << ": " << PrintableLines(e.what()) << std::endl;
-    return 2;
+    return report(e, kExitUsage);
+  } catch (const ConfigError& e) {
+    return report(e, kExitUsage);
   } catch (const std::exception& e) {
-    std::cerr << name << ": " << PrintableLines(e.what()) << std::endl;
-    return 1;
+    return report(e, 1);
   }
 }
 

@@ -14,6 +14,10 @@ class App;
 
 namespace cell {
 
+/// The exit code of a process whose arguments or files are wrong: starting it
+/// again does not help.
+inline constexpr int kExitUsage = 2;
+
 /// Builds a service from its files.
 using ServiceMaker =
     std::function<std::unique_ptr<Service>(Bus&, const Deployment&)>;
@@ -37,7 +41,7 @@ int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);
 
 /// Runs `run` and returns its exit code; says on stderr what `name` failed of:
-/// then 2 for a wrong argument, 1 for all else.
+/// then kExitUsage for a wrong argument or configuration, 1 for all else.
 int ReportFailures(const std::string& name, const std::function<int()>& run);
 
 /// Set by SIGINT and SIGTERM once the handlers are installed.

@@ -25,4 +25,9 @@ ProcessHooks TellServiceManager() {
   return hooks;
 }
 
+void TellServiceManagerWhy(const std::string& reason) {
+  const std::string line = reason.substr(0, reason.find('\n'));
+  sd_notify(0, ("STATUS=" + line).c_str());
+}
+
 }  // namespace cell

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "common/bus/process_hooks.h"
 
 namespace cell {
@@ -7,5 +9,8 @@ namespace cell {
 /// Tells systemd, if it has started this process, that it is ready, and as
 /// often as the unit's WatchdogSec wants that it is alive.
 ProcessHooks TellServiceManager();
+
+/// Tells systemd, if it has started this process, why it ends.
+void TellServiceManagerWhy(const std::string& reason);
 
 }  // namespace cell

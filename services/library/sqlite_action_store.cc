@@ -17,6 +17,10 @@ constexpr char kDamaged[] =
     "is damaged; move it away and import what a run folder has kept: cell "
     "library import RUN/library.json --database FILE";
 
+constexpr char kLocked[] =
+    "cannot be opened to be written; are file and folder there, and may this "
+    "user write to both?";
+
 std::string WhatToDo(const SQLite::Exception& e) {
   switch (e.getErrorCode()) {
     case SQLITE_NOTADB:
@@ -36,8 +40,7 @@ std::string WhatToDo(const SQLite::Exception& e) {
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_AUTH:
-      return "cannot be opened to be written; are file and folder there, and "
-             "may this user write to both?";
+      return kLocked;
     default:
       return e.what();
   }
@@ -48,15 +51,29 @@ std::string WhatToDo(const SQLite::Exception& e) {
   throw StoreError(file.string() + ": " + what);
 }
 
-std::unique_ptr<SQLite::Database> Open(const std::filesystem::path& file,
-                                       SqliteActionStore::Mode mode) {
-  if (mode == SqliteActionStore::Mode::kExisting &&
-      !std::filesystem::exists(file)) {
-    Fail(file, "there is no such library");
+// What is to be opened in place of a library that cannot be written.
+std::optional<LibraryCopy> CopyIfLocked(const std::filesystem::path& file,
+                                        SqliteActionStore::Mode mode) {
+  const bool is_there = std::filesystem::exists(file);
+  const bool is_locked = is_there && !LibraryCopy::IsWritable(file);
+  if (mode == SqliteActionStore::Mode::kCreate) {
+    if (is_locked) Fail(file, kLocked);
+    return std::nullopt;
   }
+  if (!is_there) Fail(file, "there is no such library");
+  if (!is_locked) return std::nullopt;
+  try {
+    return std::make_optional<LibraryCopy>(file);
+  } catch (const std::runtime_error& e) {
+    throw StoreError(e.what());
+  }
+}
+
+std::unique_ptr<SQLite::Database> Open(const std::filesystem::path& opened,
+                                       const std::filesystem::path& file) {
   try {
     return std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        opened.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   } catch (const SQLite::Exception& e) {
     Fail(file, WhatToDo(e));
   }
@@ -95,7 +112,9 @@ auto SqliteActionStore::Guarded(Function function) const {
 
 SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
                                      Mode mode)
-    : file_(file), database_(Open(file, mode)) {
+    : file_(file),
+      copy_(CopyIfLocked(file, mode)),
+      database_(Open(copy_ ? copy_->path() : file, file)) {
   Guarded([&] {
     // First of all: then no second process can get in between.
     database_->exec("PRAGMA locking_mode = EXCLUSIVE");

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "services/library/action_store.h"
+#include "services/library/library_copy.h"
 
 namespace SQLite {
 class Database;
@@ -18,7 +20,8 @@ class SqliteActionStore final : public ActionStore {
  public:
   enum class Mode {
     kCreate,   ///< makes the file if it is not there
-    kExisting  ///< it must be there
+    kExisting  ///< it must be there; where this user cannot write, a copy of
+               ///< it is read, and what is stored goes to the copy
   };
 
   /// Checks the file and brings it to the newest schema. @throws StoreError
@@ -42,6 +45,7 @@ class SqliteActionStore final : public ActionStore {
   auto Guarded(Function function) const;
 
   std::filesystem::path file_;
+  std::optional<LibraryCopy> copy_;  // outlives the database
   std::unique_ptr<SQLite::Database> database_;
 };
 

@@ -130,7 +130,7 @@ struct Mistake {
   const char* said;  ///< file:key and why
 };
 
-class Task : public RunCell, public testing::WithParamInterface<Mistake> {
+class Task : public RunCell {
  protected:
   void SetUp() override {
     RunCell::SetUp();
@@ -145,7 +145,31 @@ class Task : public RunCell, public testing::WithParamInterface<Mistake> {
   }
 };
 
-TEST_P(Task, IsRefusedByEveryCommandBeforeAnythingStarts) {
+class Mistaken : public Task, public testing::WithParamInterface<Mistake> {};
+
+// What a run asks for is held against the files before they are copied.
+TEST_F(Task, OfARunThatCannotBeginIsNamedAsItsUserKnowsIt) {
+  Edit("config/camera_set.yaml", "s/^device: rendered/device: rendred/");
+  for (const char* command :
+       {"sim --out a --cameras", "demo --out a --cameras",
+        "prepare --state-dir state --cameras", "doctor"}) {
+    EXPECT_THAT(
+        Cell(std::string(command) + " --deploy deploy").output,
+        AllOf(HasSubstr((dir_ / "deploy/config/camera_set.yaml").string() +
+                        ":device: 'rendred' is neither"),
+              HasSubstr("(line "), Not(HasSubstr("a/deploy"))))
+        << command;
+  }
+  const ShellResult step =
+      Cell("sim --out a --help-steps PlaceNothing --deploy deploy");
+  EXPECT_EQ(step.code, 1);
+  EXPECT_THAT(step.output,
+              AllOf(HasSubstr("--help-steps PlaceNothing: the robot has no"),
+                    HasSubstr("ScrewHead"), Not(HasSubstr("planner.yaml"))));
+  EXPECT_FALSE(fs::exists(dir_ / "a"));
+}
+
+TEST_P(Mistaken, IsRefusedByEveryCommandBeforeAnythingStarts) {
   Edit(GetParam().file, GetParam().sed);
   for (const char* command : {"sim --out a --demonstration two_pegs",
                               "demo --out a", "prepare --state-dir state",
@@ -167,7 +191,7 @@ constexpr char kSuccess[] = "tasks/cranfield/success.yaml";
 constexpr char kScripts[] = "tasks/cranfield/demonstrators.yaml";
 
 INSTANTIATE_TEST_SUITE_P(
-    Mistakes, Task,
+    Mistakes, Mistaken,
     testing::Values(
         Mistake{"NoAgent", kDomain, "0,/agents: .person./s//agents: []/",
                 "agents: nobody can do it"},

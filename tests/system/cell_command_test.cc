@@ -87,6 +87,24 @@ TEST_F(CellCommand, ARunThatCannotBeginLeavesNoFolder) {
   EXPECT_FALSE(fs::exists(dir_ / "a"));
 }
 
+TEST_F(CellCommand, ADemoOnAFullDiskEndsAndSaysSo) {
+  std::ofstream(dir_ / "run.sh")
+      << "mkdir small; mount -t tmpfs -o size=700k none small\n"
+      << kCell << " demo --seed 7 --demonstration two_pegs --out small/a\n";
+  const ShellResult run =
+      Shell("cd " + dir_.string() + " && " + InPrivateNetwork() +
+            WithPrivateMounts() + "bash run.sh");
+  EXPECT_EQ(run.code, 1) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("No space left on device"));
+  size_t num_restarts = 0;
+  for (size_t at = 0;
+       (at = run.output.find("restarted", at)) != std::string::npos;) {
+    ++at;
+    ++num_restarts;
+  }
+  EXPECT_LE(num_restarts, 2u) << run.output;
+}
+
 TEST_F(CellCommand, AKilledRecorderGoesOnInANewFileAndNamesWhatItMisses) {
   const ShellResult run = Cell(
       "demo --seed 7 --demonstration two_pegs --out a --kill recorder@500");

@@ -19,6 +19,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 // A well kept machine: its system files below root/, the cell beside it. The
@@ -175,14 +176,41 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"StaleRun", "warn stale runs: ",
               "mkdir runs/sim-0002 && touch runs/sim-0002/run.yaml && "
               "touch -d '1 hour ago' runs/sim-0002"},
-        Fault{"UnknownKeyInTheRoster",
-              "BAD  roster: ", "echo 'typo: 1' >> deploy/config/roster.yaml"},
-        Fault{"ServiceThatCannotBeConfigured", "BAD  configuration: ",
-              "echo 'typo: 1' >> deploy/config/tracker.yaml"},
         Fault{"LockedProgram", "BAD  programs: ", "chmod -x bin/tracker"},
         Fault{"DriftedTypes", "BAD  message types: ",
-              "echo '// a unit' >> lcmtypes/tracks_t.lcm"}),
+              "echo '// a unit' >> lcmtypes/tracks_t.lcm"},
+        Fault{"NoTypes",
+              "BAD  message types: there are no message type texts in ",
+              "rm -r lcmtypes"}),
     [](const auto& test_info) { return test_info.param.name; });
+
+TEST_F(Doctor, NamesTheKeyThatIsWrongAndNeverACommandThatOverwritesTheFile) {
+  for (const std::string file : {"roster", "tracker"}) {
+    const std::string path = "deploy/config/" + file + ".yaml";
+    const Visit visit = Examine("echo 'typo: 1' >> " + path, false);
+    const std::string line =
+        file == "roster" ? "BAD  roster: " : "BAD  configuration: ";
+    EXPECT_THAT(
+        visit.with_fault,
+        ElementsAre(AllOf(
+            StartsWith(line),
+            HasSubstr(path + ":typo: not known; remove it or mend its "),
+            HasSubstr("(line "), HasSubstr("; fix: correct it there; diff "),
+            Not(HasSubstr("; fix: cp ")), Not(HasSubstr("checkout")))))
+        << visit.output;
+    fs::copy_file(fs::path(CELL_SOURCE_DIR) / path, dir_ / path,
+                  fs::copy_options::overwrite_existing);
+  }
+}
+
+TEST_F(Doctor, CountsTheTypesItDoesNotName) {
+  const Visit visit =
+      Examine("for t in lcmtypes/*; do echo >> $t; done", false);
+  ASSERT_EQ(visit.with_fault.size(), 1u) << visit.output;
+  EXPECT_THAT(visit.with_fault.front(),
+              AllOf(HasSubstr("others are ack_t.lcm, "), HasSubstr(" more. ")));
+  EXPECT_LT(visit.with_fault.front().size(), 600u);
+}
 
 TEST_F(Doctor, NamesPackagesAndJarsThatAreMissing) {
   const Visit visit = Examine(

@@ -101,6 +101,25 @@ TEST_F(LibraryCommand, AMissingDatabaseIsNamedAndNotMade) {
   EXPECT_FALSE(fs::exists(dir_ / "nothing.db"));
 }
 
+TEST_F(LibraryCommand, AReadOnlyRunFolderIsReadAndStaysAsItIs) {
+  const std::string list = Cell("library list --database a").output;
+  std::ofstream(dir_ / "run.sh")
+      << "set -e; mkdir tmp; export TMPDIR=$PWD/tmp\n"
+      << "mount --bind a a && mount -o remount,ro,bind a\n"
+      << kCell << " library list --database a\n"
+      << "if " << kCell << " library import a/library.json --database a; then "
+      << "exit 1; fi 2>why\n"
+      << "test -z \"$(ls tmp)\" && ls a/library.db-* 2>/dev/null && exit 1\n"
+      << "exit 0\n";
+  const ShellResult run =
+      Shell("cd " + dir_.string() + " && " + InPrivateNetwork() +
+            WithPrivateMounts() + "bash run.sh");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_EQ(run.output, list);
+  EXPECT_THAT(TextOf(dir_ / "why"),
+              HasSubstr("a/library.db: cannot be opened to be written"));
+}
+
 TEST_F(LibraryCommand, AFullDiskLosesNothing) {
   // More than the disk has room for.
   std::string many = TextOf(dir_ / "a" / "library.json");

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -251,6 +252,37 @@ TEST_F(LogCommand, WhatIsNoLogOrAnotherProgramsIsToldApart) {
   EXPECT_THAT(convert.output, HasSubstr("no TICK"));
   EXPECT_FALSE(fs::exists(dir_ / "out"));
   EXPECT_EQ(Cell("log check nowhere").code, 2);
+}
+
+TEST_F(LogCommand, AFolderOfLcmLoggersPartsIsCheckedAndTold) {
+  ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
+  fs::create_directories(dir_ / "parts");
+  const auto size = fs::file_size(dir_ / "a/cell-0001.lcmlog");
+  {
+    EventLogReader reader(dir_ / "a/cell-0001.lcmlog");
+    reader.Finish();
+    std::optional<EventLogWriter> writer;
+    for (int part = 0; const auto event = reader.Next();) {
+      if (event->offset * 3 >= static_cast<int64_t>(size) * part) {
+        writer.emplace(dir_ / "parts" / ("rec.0" + std::to_string(part++)));
+      }
+      writer->Write(event->utime, event->channel, event->bytes);
+    }
+  }
+  const ShellResult check = Cell("log check parts");
+  EXPECT_EQ(check.code, 0) << check.output;
+  EXPECT_THAT(check.output, HasSubstr("\nwhole\n"));
+  const ShellResult told = Cell("replay parts");
+  EXPECT_EQ(told.code, 0) << told.output;
+  EXPECT_EQ(told.output, Cell("replay a").output);
+  EXPECT_THAT(Cell("replay parts --check").output, HasSubstr("lacks run.yaml"));
+  // Beside the configuration of the run they are recomputed.
+  fs::copy(dir_ / "a", dir_ / "parts",
+           fs::copy_options::recursive | fs::copy_options::skip_existing);
+  fs::remove(dir_ / "parts/cell-0001.lcmlog");
+  const ShellResult again = Cell("replay parts --check");
+  EXPECT_EQ(again.code, 0) << again.output;
+  EXPECT_THAT(Cell("log check .").output, HasSubstr("NAME.00, NAME.01"));
 }
 
 TEST_F(LogCommand, ALiveCellsLostFramesAreNamed) {

@@ -10,6 +10,7 @@
 namespace cell {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -125,6 +126,33 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
   }
   EXPECT_THAT(TextOf(dir_ / "check.txt"), Not(HasSubstr("DIFFERENT")));
   EXPECT_EQ(TextOf(dir_ / "left.txt"), "") << "left by the uninstall";
+}
+
+TEST_F(Systemd, UpSaysWhyACellCannotStart) {
+  const std::string source = CELL_SOURCE_DIR;
+  const ShellResult run =
+      Shell(Namespaces() + source + "/tests/system/under_systemd.sh " +
+            CELL_BUILD_DIR + " " + source + "/tests/system/up_reasons.sh " +
+            dir_.string());
+  if (run.code == kNoManager) {
+    GTEST_SKIP() << "no systemd manager can run here: " << run.output;
+  }
+  ASSERT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(TextOf(dir_ / "environment.txt"),
+              AllOf(HasSubstr("/cell/environment:CELL_DEMONSTRATION: "),
+                    HasSubstr("(line 1)"), HasSubstr("exit code 1")));
+  const std::string said = "tracker.yaml:period_ticks: 0 lies outside";
+  EXPECT_THAT(TextOf(dir_ / "configuration.txt"),
+              AllOf(HasSubstr("/usr/local/etc/cell/config/" + said),
+                    Not(HasSubstr("runs/current")), HasSubstr("exit code 1")));
+  EXPECT_EQ(TextOf(dir_ / "left.txt"), "") << "something was started";
+  // What only the service finds is shown with it, and it is not tried again.
+  EXPECT_THAT(TextOf(dir_ / "service.txt"),
+              AllOf(HasSubstr("tracker said last:\n"),
+                    HasSubstr("/run/broken/config/" + said),
+                    HasSubstr("journalctl --user -u 'cell-*'"),
+                    HasSubstr("exit code 1")));
+  EXPECT_EQ(TextOf(dir_ / "restarts.txt"), "0\n");
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <random>
 #include <tuple>
 
+#include "cell/alert_t.hpp"
 #include "cell/truth_poses_t.hpp"
+#include "common/bus/decode.h"
 #include "common/bus/sim_bus.h"
 #include "common/bus/truth_access.h"
 #include "common/geometry/pose.h"
@@ -125,6 +127,51 @@ TEST(CameraSet, TakesAFrameEveryPeriodEachSetLaterThanTheOneBefore) {
                                          Seen("2", 16, 19), Seen("3", 20, 23),
                                          Seen("1", 20, 27), Seen("2", 28, 31),
                                          Seen("3", 32, 35), Seen("1", 36, 39)));
+}
+
+// Nothing but black: already more than 10 bytes.
+class BlackDevice : public FrameDevice {
+ public:
+  std::optional<RgbdFrame> Take() override {
+    if (++num_asked_ == 1) return std::nullopt;  // as one that begins
+    RgbdFrame frame;
+    frame.camera = "1";
+    frame.view.width = frame.colour.width = frame.depth.width = 64;
+    frame.view.height = frame.colour.height = frame.depth.height = 48;
+    frame.colour.pixels.resize(64 * 48);
+    frame.depth.counts.resize(64 * 48);
+    return frame;
+  }
+
+ private:
+  int num_asked_ = 0;
+};
+
+TEST(CameraSet, AFrameThatIsTooLongNamesTheKeysThatHelp) {
+  CameraSet::Params params;
+  params.camera = "1";
+  params.max_bytes = 10;
+  auto factories = Factories();
+  factories["camera_set@1"] = [&](Bus& bus) {
+    return std::make_unique<CameraSet>(bus, params,
+                                       std::make_unique<BlackDevice>());
+  };
+  Roster roster = TheRoster();
+  roster.entries.resize(2);
+  roster.entries[1].latency = 1;  // it acts without being woken
+  SimBus bus(roster, factories);
+  std::vector<std::string> told;
+  while (bus.Step()) {
+    for (const Message& message : bus.last_messages()) {
+      if (message.channel != "ALERT") continue;
+      told.push_back(Decode<alert_t>(message)->text);
+    }
+  }
+  EXPECT_THAT(told,
+              testing::ElementsAre(testing::AllOf(
+                  HasSubstr("longer than 10 bytes"),
+                  HasSubstr("camera_set.yaml max_frame_kb"),
+                  HasSubstr("net.core.rmem_max"), HasSubstr("rendered.size"))));
 }
 
 TEST(CameraSet, GivesTheSameBytesAgain) {

@@ -1,6 +1,7 @@
 // Damaged, truncated, stock and foreign logs of a toy cell.
 #include "services/cell/logs/log_audit.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -531,6 +532,132 @@ TEST_F(LogAuditTest, AForeignLogHasNoManifestsAndIsKeptAsItStands) {
   EXPECT_THAT(audit.manifests, IsEmpty());
   EXPECT_THAT(Texts(audit), Contains(HasSubstr("event 0 is lost")));
   EXPECT_EQ(Repaired().size(), 9u);
+}
+
+// The bytes of an event with this number.
+std::string Framed(int64_t number, int64_t utime, const std::string& channel,
+                   const std::string& bytes) {
+  std::string text;
+  const auto put = [&text](uint64_t value, int num_bytes) {
+    for (int shift = 8 * (num_bytes - 1); shift >= 0; shift -= 8) {
+      text += static_cast<char>(value >> shift);
+    }
+  };
+  put(0xEDA1DA01, 4);
+  put(static_cast<uint64_t>(number), 8);
+  put(static_cast<uint64_t>(utime), 8);
+  put(channel.size(), 4);
+  put(bytes.size(), 4);
+  return text + channel + bytes;
+}
+
+TEST_F(LogAuditTest, AnEventThatSomebodyPutThereIsOneFinding) {
+  const std::string good = ContentsOf(Log());
+  EventLogReader reader(Log());
+  reader.Finish();
+  int64_t middle = 0;
+  int64_t number = 0;
+  while (const auto event = reader.Next()) {
+    if (event->number > 100) break;
+    middle = event->offset;
+    number = event->number;
+  }
+  for (const int64_t own : {number, int64_t{0}, int64_t{-5}, number + 50}) {
+    const std::string foreign =
+        Framed(own, 5, "FOREIGN", std::string(40, '\0'));
+    const auto at = static_cast<size_t>(middle);
+    EXPECT_THAT(
+        Texts(AuditOfBytes(good.substr(0, at) + foreign + good.substr(at))),
+        testing::ElementsAre(
+            AllOf(HasSubstr("damaged byte " + std::to_string(middle) + " (75"),
+                  HasSubstr("FOREIGN: "), HasSubstr("no TICK names it"))))
+        << own;
+    EXPECT_EQ(Texts(AuditOfBytes(good + foreign)).size(), 1u) << own;
+  }
+}
+
+TEST_F(LogAuditTest, AWholeLogBehindAnotherIsOneFinding) {
+  const std::string good = ContentsOf(Log());
+  const auto texts = Texts(AuditOfBytes(good + good));
+  ASSERT_EQ(texts.size(), 1u) << texts[1];
+  EXPECT_THAT(texts[0], AllOf(HasSubstr("its number is 0, should be "),
+                              HasSubstr("events after it, up to byte " +
+                                        std::to_string(2 * good.size()))));
+}
+
+TEST_F(LogAuditTest, NumbersThatBeginAnewBehindADamageAreNoLoss) {
+  const auto texts = Texts(
+      AuditOfBytes(ContentsOf(Log()) + "garbage" + Framed(0, 5, "A", "b")));
+  EXPECT_THAT(texts, Contains(HasSubstr("the numbers begin anew with 0")));
+  EXPECT_THAT(texts, testing::Each(testing::Not(HasSubstr(" to -1 "))));
+}
+
+// Events of another program, by their stamps [us] and numbers.
+class ForeignLog : public LogAuditTest {
+ protected:
+  std::vector<std::string> TextsOf(
+      const std::function<int64_t(int)>& utime_of,
+      const std::function<int(int)>& number_of = [](int i) { return i; }) {
+    std::string bytes;
+    for (int i = 0; i < 200; ++i) {
+      bytes += Framed(number_of(i), utime_of(i), "POSE", std::string(40, 'x'));
+    }
+    return Texts(AuditOfBytes(bytes));
+  }
+};
+
+TEST_F(ForeignLog, WhoseTimeRunsBackIsToldWhere) {
+  EXPECT_THAT(TextsOf([](int i) { return i * 8000; }), IsEmpty());
+  EXPECT_THAT(
+      TextsOf([](int i) { return i * 8000 - (i >= 100 ? 250'000 : 0); }),
+      testing::ElementsAre(AllOf(
+          HasSubstr("damaged byte 7200 (72 bytes): POSE: "),
+          HasSubstr("time runs back: it is 0.242000 s earlier than the "))));
+}
+
+TEST_F(ForeignLog, ThatIsSilentForLongIsToldWhere) {
+  EXPECT_THAT(
+      TextsOf([](int i) { return i * 8000 + (i >= 100 ? 60'000'000 : 0); }),
+      testing::ElementsAre(
+          AllOf(HasSubstr("damaged byte 7200 "),
+                HasSubstr("nothing came for 60.008 s before it"))));
+  // One that speaks now and then is none the worse for it.
+  EXPECT_THAT(TextsOf([](int i) { return i * 8000 + i / 10 * 5'000'000; }),
+              IsEmpty());
+}
+
+TEST_F(ForeignLog, ThatLacksNumbersIsToldWhereOrThatItHasNone) {
+  const auto utime_of = [](int i) {
+    return i * 8000;
+  };
+  EXPECT_THAT(TextsOf(utime_of, [](int i) { return i < 100 ? i : i + 7; }),
+              testing::ElementsAre(
+                  HasSubstr("its number is 107, should be 100: what came")));
+  EXPECT_THAT(TextsOf(utime_of, [](int) { return 0; }),
+              testing::ElementsAre(HasSubstr("198 others' numbers jump, too")));
+}
+
+TEST_F(LogAuditTest, PartsOfLcmLoggerAreReadInTheOrderOfTheirNumbers) {
+  const fs::path folder = dir_ / "parts";
+  fs::create_directories(folder);
+  std::vector<fs::path> expected;
+  const auto events = EventsOf(Log());
+  constexpr size_t kNumParts = 101;
+  for (size_t part = 0; part < kNumParts; ++part) {
+    expected.push_back(folder / fmt::format("rec.{:02}", part));
+    EventLogWriter writer(expected.back());
+    for (size_t i = part * events.size() / kNumParts;
+         i < (part + 1) * events.size() / kNumParts; ++i) {
+      const auto& [utime, channel, bytes] = events[i];
+      writer.Write(utime, channel, bytes);
+    }
+  }
+  std::ofstream(folder / "notes.txt") << "none";
+  EXPECT_EQ(RequireLogsOf(folder), expected);
+  EXPECT_THAT(Texts(AuditLog(ReadLogIndex(RequireLogsOf(folder)))), IsEmpty());
+  EXPECT_THAT(RunLog::Load(folder).problems(), IsEmpty());
+  std::ofstream(folder / "other.00") << "x";
+  EXPECT_THROW(RequireLogsOf(folder), std::runtime_error);
 }
 
 TEST_F(LogAuditTest, WhatIsNoLogIsSaidToBeNone) {

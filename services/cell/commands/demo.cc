@@ -1,11 +1,11 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -18,8 +18,9 @@
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/demo_registry.h"
-#include "services/cell/running/output_follower.h"
 #include "services/cell/running/process_group.h"
+#include "services/cell/running/process_output.h"
+#include "services/cell/running/restart_policy.h"
 #include "services/cell/running/run_options.h"
 #include "services/cell/running/run_report.h"
 
@@ -58,9 +59,6 @@ class Demo {
  public:
   Demo(const DemoOptions& options, const RunFolder& run)
       : options_(options), run_(run), report_(run, options.run) {
-    for (const Roster::Entry& entry : run.roster.entries) {
-      outputs_.Add(LogOf(entry.name));
-    }
     for (const std::string& text : options.kills) {
       kills_.push_back(ParseKill(text, run.roster));
     }
@@ -111,7 +109,6 @@ class Demo {
 
  private:
   static constexpr int kGraceMs = 3000;
-  static constexpr int kMaxRestarts = 10;
 
   const std::string& clock() const { return run_.roster.entries[0].name; }
   bool IsRunning() const { return processes_.IsRunning(clock()); }
@@ -132,8 +129,9 @@ class Demo {
     if (!instance.empty()) {
       arguments.insert(arguments.end(), {"--instance", instance});
     }
-    processes_.Start(name, FolderOfPrograms() / program, arguments,
-                     LogOf(name));
+    const int output = outputs_.Open(name, LogOf(name));
+    processes_.Start(name, FolderOfPrograms() / program, arguments, output);
+    close(output);
   }
 
   std::filesystem::path LogOf(const std::string& name) const {
@@ -149,6 +147,7 @@ class Demo {
   }
 
   void OnDeath(const ProcessGroup::Death& death) {
+    PassOnOutputs();  // it has said why
     const std::string where = " (see " + LogOf(death.name).string() + ")";
     if (death.name == clock()) {
       if (death.is_clean) return;
@@ -156,9 +155,10 @@ class Demo {
       report_.Say(death.name + ": " + death.cause + ", the run ends" + where);
       return;
     }
-    if (++num_restarts_[death.name] > kMaxRestarts) {
+    if (const auto why =
+            restarts_.WhyNot(death, outputs_.LastLineOf(death.name))) {
       throw std::runtime_error(death.name + ": " + death.cause +
-                               ", again and again" + where);
+                               "; the run ends, because " + *why);
     }
     report_.Say(death.name + ": " + death.cause + ", restarted" + where);
     Start(death.name);
@@ -188,9 +188,9 @@ class Demo {
   const RunFolder& run_;
   RunReport report_;
   ProcessGroup processes_;
-  OutputFollower outputs_;
+  ProcessOutput outputs_;
   std::vector<PlannedKill> kills_;
-  std::map<std::string, int> num_restarts_;
+  RestartPolicy restarts_;
   std::vector<ProcessGroup::Death> ended_;
   int num_looks_since_end_ = 0;
   int64_t resident_bytes_ = 0;

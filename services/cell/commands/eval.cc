@@ -51,7 +51,7 @@ CellFiles FilesFor(const EvalOptions& options) {
     tracker["sensing"].Fail(
         fmt::format("is {}, but {} is asked for", sensing, options.sensing));
   }
-  CheckTask(files, "");
+  CheckTask(files);
   return files;
 }
 

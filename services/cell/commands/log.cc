@@ -13,6 +13,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/logs/canonical_log.h"
 #include "services/cell/logs/log_audit.h"
+#include "services/cell/logs/log_sequence.h"
 #include "services/cell/logs/stock_reader.h"
 
 namespace cell::cli {
@@ -28,9 +29,7 @@ struct LogOptions {
 
 std::vector<fs::path> LogsAt(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
-  auto logs = LogsOf(path);
-  if (logs.empty()) throw std::runtime_error(path + ": no *.lcmlog in it");
-  return logs;
+  return RequireLogsOf(path);
 }
 
 // What kind of log it is and how much it holds.
@@ -69,10 +68,25 @@ Roster RosterOf(const fs::path& log) {
   return FindCellFiles(fs::is_directory(deploy) ? deploy.string() : "").roster;
 }
 
+// Of a live cell's log: what came late stands behind what was in time.
+std::vector<LogFinding> FindOddSequence(const LogIndex& index) {
+  constexpr int64_t kMaxLateUs = 1'000'000;
+  auto findings = FindOddNumbers(index, false);
+  for (LogFinding& finding :
+       FindOddStamps(index, {.backward_us = kMaxLateUs})) {
+    findings.push_back(std::move(finding));
+  }
+  return ByPlace(std::move(findings));
+}
+
 // A live cell's log has no manifests, but each sender counts what it says.
 int CheckLive(const LogOptions& options) {
   const LiveLog log = LiveLog::Load(LogsAt(options.log));
-  const auto problems = log.Problems(RosterOf(options.log));
+  auto problems = log.Problems(RosterOf(options.log));
+  for (const LogFinding& finding :
+       FindOddSequence(ReadLogIndex(LogsAt(options.log)))) {
+    problems.push_back(ToString(finding));
+  }
   for (const std::string& problem : problems) {
     std::cout << Printable(problem) << "\n";
   }

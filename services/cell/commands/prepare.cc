@@ -51,7 +51,8 @@ int64_t MonotonicTimeOf(int64_t utc_s) {
 
 int Prepare(const PrepareOptions& options) {
   const CellFiles files = FindCellFiles(options.deploy_dir);
-  CheckTask(files, options.demonstration);
+  CheckTask(files, {.demonstration = options.demonstration,
+                    .has_cameras = options.has_cameras});
   const LiveState state(options.state_dir);
   options.start_s ? state.CountFrom(MonotonicTimeOf(*options.start_s))
                   : state.Forget();

@@ -9,6 +9,7 @@
 
 #include "common/bus/live_log.h"
 #include "common/bus/live_replay.h"
+#include "common/node/cell_files.h"
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
@@ -119,9 +120,33 @@ int ReplayLiveRun(const ReplayOptions& options, RunFolder run) {
   return problems.empty() ? result : 1;
 }
 
+// To tell a recording its log is enough; to recompute it takes a run folder.
+RunFolder FolderOf(const ReplayOptions& options) {
+  const std::filesystem::path path = options.run;
+  const bool is_recording =
+      LogsOf(path).empty() && !LoggerPartsOf(path).empty();
+  if (!is_recording || std::filesystem::exists(path / "run.yaml")) {
+    return RunFolder::Open(options.run);
+  }
+  if (options.is_check) {
+    throw std::runtime_error(
+        options.run +
+        ": is a recording of lcm-logger, not a run folder: it lacks run.yaml "
+        "and deploy/, by which services are recomputed. Put its parts into a "
+        "copy of the run folder, without the log there; or tell it without "
+        "--check");
+  }
+  RunFolder run;
+  run.path = path;
+  run.roster = FindCellFiles("").roster;
+  return run;
+}
+
 int RunReplay(const ReplayOptions& options) {
-  const RunFolder run = RunFolder::Open(options.run);
-  if (LiveLog::IsLive(LogsOf(options.run))) return ReplayLiveRun(options, run);
+  const RunFolder run = FolderOf(options);
+  if (LiveLog::IsLive(RequireLogsOf(options.run))) {
+    return ReplayLiveRun(options, run);
+  }
   const RunLog log = RunLog::Load(options.run);
   for (const std::string& problem : log.problems()) {
     std::cerr << "log: " << Printable(problem) << "\n";

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -21,6 +22,9 @@
 namespace cell::cli {
 namespace {
 
+/// [s] A service tells its processor time every second; a share takes two.
+constexpr double kMaxHealthS = 2.5;
+
 struct TopOptions {
   CellAddress address;
   std::string deploy_dir;
@@ -30,25 +34,29 @@ struct TopOptions {
 
 int RunTop(const TopOptions& options) {
   const LcmAddress address = options.address.Reach();
+  const Progress clock;
   Traffic traffic(FindCellFiles(options.deploy_dir).roster.NumListed());
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());
   main.Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
     traffic.Hear(channel, std::move(bytes));
   });
-  control.Subscribe(kHealthChannel,
-                    [&](const std::string& channel, Bytes bytes) {
-                      traffic.HearControl(channel, std::move(bytes));
-                    });
+  control.Subscribe(
+      kHealthChannel, [&](const std::string& channel, Bytes bytes) {
+        traffic.HearControl(channel, std::move(bytes), clock.ElapsedSeconds());
+      });
   const auto& stop = StopOnSignals();
-  const Progress clock;
   const bool is_redrawn = TakesTerminalCodes(STDOUT_FILENO);
   double begin = 0;
   for (int i = 0;
        !stop && (options.num_reports == 0 || i < options.num_reports); ++i) {
     const double end = begin + options.period_s;
-    while (!stop && clock.ElapsedSeconds() < end) {
-      const double left_s = end - clock.ElapsedSeconds();
+    const auto is_due = [&] {
+      const double since_s = clock.ElapsedSeconds() - end;
+      return since_s >= (traffic.KnowsProcessorTimes() ? 0 : kMaxHealthS);
+    };
+    while (!stop && !is_due()) {
+      const double left_s = std::max(end - clock.ElapsedSeconds(), 0.01);
       constexpr double kMaxWaitMs = 50;
       WaitForAny(
           {&main, &control},

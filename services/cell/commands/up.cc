@@ -6,9 +6,10 @@
 #include <memory>
 
 #include "common/node/cell_files.h"
+#include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/service_units.h"
-#include "services/cell/running/task_check.h"
+#include "services/cell/running/unit_environment.h"
 
 namespace cell::cli {
 namespace {
@@ -38,14 +39,21 @@ int PrintStatus(const ServiceManager& manager) {
   }
   const bool is_well = std::all_of(units.begin(), units.end(),
                                    [](const auto& u) { return u.is_active; });
-  if (!is_well) {
-    std::cout << "not all are active: journalctl -u 'cell-*' says why\n";
+  if (is_well) return 0;
+  for (const ServiceUnit& unit : units) {
+    if (unit.is_active) continue;
+    std::cout << ShortName(unit.name) << " said last:\n";
+    for (const std::string& line : manager.LastLinesOf(unit)) {
+      std::cout << "  " << Printable(line) << "\n";
+    }
   }
-  return is_well ? 0 : 1;
+  std::cout << "not all are active; more: " << manager.JournalCommand() << "\n";
+  return 1;
 }
 
 int Up(const ServiceManager& manager) {
-  CheckTask(FindCellFiles(""), "");
+  const CellFiles files = FindInstalledCellFiles();
+  UnitEnvironment::Load(manager.is_user()).Check(files);
   manager.Start();
   return PrintStatus(manager);
 }

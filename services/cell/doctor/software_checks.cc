@@ -20,18 +20,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How the file that an error begins with can be had as it was shipped.
-std::string Restore(const Site& site, const std::string& error) {
+// What helps to correct the file that an error begins with: never a command
+// that writes it, for it holds what its user has done.
+std::string Correct(const Site& site, const std::string& error) {
   const std::string file = error.substr(0, error.find(':'));
   const fs::path relative = fs::path(file).lexically_relative(site.deploy_dir);
-  if (relative.empty() || *relative.begin() == "..") {
-    return "correct it, or name another folder with --deploy";
-  }
+  std::string fix = "correct it there";
+  if (relative.empty() || *relative.begin() == "..") return fix;
+  const fs::path shipped = site.shipped_dir / relative;
   if (site.deploy_dir == site.shipped_dir) {
-    return fmt::format("git -C {} checkout -- {}", site.deploy_dir,
-                       relative.string());
+    return fmt::format("{}; git -C {} diff -- {} shows what was changed", fix,
+                       site.deploy_dir, relative.string());
   }
-  return fmt::format("cp {} {}", (site.shipped_dir / relative).string(), file);
+  if (site.shipped_dir.empty() || !fs::exists(shipped)) return fix;
+  return fmt::format("{}; diff {} {} shows what was changed", fix,
+                     shipped.string(), file);
 }
 
 Diagnosis CheckRoster(const Machine&, const Site& site) {
@@ -41,7 +44,7 @@ Diagnosis CheckRoster(const Machine&, const Site& site) {
                                      files.roster.entries.size(),
                                      files.roster.task));
   } catch (const std::exception& e) {
-    return Diagnosis::Bad(e.what(), Restore(site, e.what()));
+    return Diagnosis::Bad(e.what(), Correct(site, e.what()));
   }
 }
 
@@ -54,12 +57,12 @@ Diagnosis CheckConfiguration(const Machine&, const Site& site) {
     return Diagnosis::Ok("(see roster)");
   }
   try {
-    CheckTask(files, "");
+    CheckTask(files, {.has_cameras = !files.roster.absent.empty()});
     SimBus bus(files.roster, AllServices(files.deployment, "", 1));
     bus.Step();
     return Diagnosis::Ok("every service can be built from it");
   } catch (const std::exception& e) {
-    return Diagnosis::Bad(e.what(), Restore(site, e.what()));
+    return Diagnosis::Bad(e.what(), Correct(site, e.what()));
   }
 }
 
@@ -91,15 +94,47 @@ Diagnosis CheckPrograms(const Machine& machine, const Site& site) {
   return Diagnosis::Ok("every service has one in " + site.program_dir);
 }
 
-// Files of `folder` that are not as the programs were built with.
-std::vector<std::string> OddTypesIn(const Machine& machine,
-                                    const std::string& folder) {
-  std::vector<std::string> odd;
+struct TypeTexts {
+  std::vector<std::string> missing;
+  std::vector<std::string> different;
+
+  bool is_good() const { return missing.empty() && different.empty(); }
+  bool are_none() const { return missing.size() == std::size(kTypeTexts); }
+  std::string ToString() const;
+};
+
+// The first ones; all are counted.
+std::string FirstOf(const std::vector<std::string>& names) {
+  constexpr size_t kMaxNames = 5;
+  const size_t num = std::min(names.size(), kMaxNames);
+  const std::string text = fmt::format(
+      "{}", fmt::join(names.begin(),
+                      names.begin() + static_cast<std::ptrdiff_t>(num), ", "));
+  if (num == names.size()) return text;
+  return fmt::format("{} and {} more", text, names.size() - num);
+}
+
+std::string TypeTexts::ToString() const {
+  std::string text;
+  if (!different.empty()) text = "others are " + FirstOf(different);
+  if (!missing.empty()) {
+    text += (text.empty() ? "" : "; ") + ("missing are " + FirstOf(missing));
+  }
+  return text;
+}
+
+// How the texts in `folder` differ from those the programs were built with.
+TypeTexts TypeTextsIn(const Machine& machine, const std::string& folder) {
+  TypeTexts texts;
   for (const auto& [name, text] : kTypeTexts) {
     const auto found = machine.Read(fmt::format("{}/{}", folder, name));
-    if (!found || *found != text) odd.emplace_back(name);
+    if (!found) {
+      texts.missing.emplace_back(name);
+    } else if (*found != text) {
+      texts.different.emplace_back(name);
+    }
   }
-  return odd;
+  return texts;
 }
 
 // Run folders keep a copy of these texts: they must be what programs speak.
@@ -110,27 +145,40 @@ Diagnosis CheckTypes(const Machine& machine, const Site& site) {
   } catch (const std::exception&) {
     return Diagnosis::Ok("(see roster)");
   }
-  const std::vector<std::string> odd = OddTypesIn(machine, folder);
-  if (odd.empty()) {
+  const TypeTexts texts = TypeTextsIn(machine, folder);
+  if (texts.is_good()) {
     return Diagnosis::Ok(fmt::format("{} texts are those of the programs",
                                      std::size(kTypeTexts)));
+  }
+  if (texts.are_none()) {
+    return Diagnosis::Bad(
+        fmt::format("there are no message type texts in {}, where they are "
+                    "looked for: beside the deployment; runs would lack them",
+                    folder),
+        fmt::format("{}/cell types --out {}", site.program_dir, folder));
   }
   return Diagnosis::Bad(
       fmt::format("the programs were built with other texts than those in {}: "
                   "{}. Build anew; to have the old texts back, beside these:",
-                  folder, fmt::join(odd, ", ")),
+                  folder, texts.ToString()),
       fmt::format("mv {0} {0}.other && {1}/cell types --out {0}", folder,
                   site.program_dir));
 }
 
 Diagnosis CheckTypesOfRun(const Machine& machine, const Site& site) {
   if (site.run_dir.empty()) return Diagnosis::Ok("none is asked for (--run)");
-  const std::vector<std::string> odd =
-      OddTypesIn(machine, site.run_dir + "/lcmtypes");
-  if (odd.empty()) return Diagnosis::Ok(site.run_dir + " has this build's");
+  const TypeTexts texts = TypeTextsIn(machine, site.run_dir + "/lcmtypes");
+  if (texts.is_good()) return Diagnosis::Ok(site.run_dir + " has this build's");
+  if (texts.are_none()) {
+    return Diagnosis::Bad(
+        fmt::format("there are no message type texts in {}/lcmtypes, where a "
+                    "run keeps its own",
+                    site.run_dir),
+        "compare the commit that it was recorded with, if you know it");
+  }
   return Diagnosis::Bad(
       fmt::format("{} was recorded with other texts than this build's: {}",
-                  site.run_dir, fmt::join(odd, ", ")),
+                  site.run_dir, texts.ToString()),
       "replay it with a build of the tree that it was recorded with");
 }
 

@@ -14,6 +14,7 @@
 #include "common/bus/roster.h"
 #include "services/cell/logs/foreign_types.h"
 #include "services/cell/logs/log_frames.h"
+#include "services/cell/logs/log_sequence.h"
 #include "services/cell/logs/run_extent.h"
 #include "services/cell/logs/sequence_gaps.h"
 
@@ -69,6 +70,18 @@ class Auditor {
          FindForeignTypes(index_, !audit_.manifests.empty())) {
       audit_.findings.push_back(std::move(finding));
     }
+    if (!audit_.is_canonical) {
+      // With TICKs it is they that tell what is missing.
+      for (LogFinding& finding :
+           FindOddStamps(index_, {.has_silences = audit_.manifests.empty()})) {
+        audit_.findings.push_back(std::move(finding));
+      }
+    }
+    if (audit_.manifests.empty()) {
+      // Another program's bytes say nothing of ticks.
+      for (LogFinding& finding : audit_.findings) finding.tick = -1;
+    }
+    audit_.findings = ByPlace(std::move(audit_.findings));
     std::sort(audit_.kept.begin(), audit_.kept.end(),
               [](const KeptEvent& a, const KeptEvent& b) {
                 return std::tie(a.tick, a.channel, a.sender, a.seq) <

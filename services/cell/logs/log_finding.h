@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace cell::cli {
 
@@ -14,6 +15,11 @@ struct LogFinding {
   std::string channel;
   std::string text;
 };
+
+/// The same with one finding for each place, those without one first, in the
+/// order of files and places. Many in a row, each right after the other, have
+/// one cause: the first of them stands for all. Pure.
+std::vector<LogFinding> ByPlace(std::vector<LogFinding> findings);
 
 /// "cell-0001.lcmlog byte 5132 (97 bytes): tick 13: SUM: ..."
 std::string ToString(const LogFinding& finding);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/bus/bus.h"
+#include "services/cell/logs/log_sequence.h"
 
 namespace cell::cli {
 namespace {
@@ -28,27 +29,11 @@ std::string NumbersLostAt(const LogIndex& index,
     return fmt::format("; event {} and what may follow are lost", from);
   }
   if (next->number == from) return "";  // the event before is cut short
+  if (next->number < from) {
+    return fmt::format("; the numbers begin anew with {}", next->number);
+  }
   if (next->number == from + 1) return fmt::format("; event {} is lost", from);
   return fmt::format("; events {} to {} are lost", from, next->number - 1);
-}
-
-void FindOddNumbers(const LogIndex& index, std::vector<LogFinding>* findings) {
-  int64_t expected = 0;
-  int64_t end = 0;  // [bytes] of the entry before
-  for (size_t i = 0; i < index.entries.size(); ++i) {
-    const LogEntry& entry = index.entries[i];
-    if (i > 0 && index.entries[i - 1].file != entry.file) expected = end = 0;
-    const bool is_after_damage = entry.offset != end;
-    if (is_after_damage) expected = std::max(expected, entry.number);
-    if (entry.number != expected) {
-      findings->push_back(
-          FindingAt(index, i,
-                    fmt::format("its number is {}, should be {}", entry.number,
-                                expected)));
-    }
-    ++expected;
-    end = entry.offset + entry.size;
-  }
 }
 
 }  // namespace
@@ -72,8 +57,10 @@ std::vector<LogFinding> FindOddFrames(const LogIndex& index,
          damage.length, -1, "",
          "no whole event begins here" + NumbersLostAt(index, damage)});
   }
+  for (LogFinding& finding : FindOddNumbers(index, is_canonical)) {
+    findings.push_back(std::move(finding));
+  }
   if (!is_canonical) return findings;
-  FindOddNumbers(index, &findings);
   for (size_t i = 0; i < index.entries.size(); ++i) {
     const LogEntry& entry = index.entries[i];
     const int64_t utime = int64_t{entry.message.tick} * kTickUs;

@@ -9,8 +9,8 @@
 namespace cell::cli {
 
 /// Bytes in which no event begins, with the numbers of the events that they
-/// have cost; of a canonical log also the numbers and stamps that are not as
-/// they follow from what it holds. Pure.
+/// have cost; numbers out of their order; of a canonical log also the stamps
+/// that are not as they follow from what it holds. Pure.
 std::vector<LogFinding> FindOddFrames(const LogIndex& index, bool is_canonical);
 
 /// Something about one entry.

@@ -17,13 +17,13 @@ namespace {
 
 // In the child, between fork and exec: only calls that are safe there.
 [[noreturn]] void BecomeProgram(const char* program, char* const* arguments,
-                                int log_fd, pid_t parent) {
+                                int output, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
-  dup2(log_fd, STDOUT_FILENO);
-  dup2(log_fd, STDERR_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
   execv(program, arguments);
-  _exit(127);
+  _exit(kExitNoProgram);
 }
 
 std::string CauseOf(int status) {
@@ -31,8 +31,8 @@ std::string CauseOf(int status) {
     return "killed by signal " + std::to_string(WTERMSIG(status));
   }
   const int code = WEXITSTATUS(status);
-  return code == 127 ? "the program could not be run"
-                     : "exit code " + std::to_string(code);
+  return code == kExitNoProgram ? "the program could not be run"
+                                : "exit code " + std::to_string(code);
 }
 
 }  // namespace
@@ -45,6 +45,16 @@ void ProcessGroup::Start(const std::string& name,
                          const std::filesystem::path& program,
                          const std::vector<std::string>& arguments,
                          const std::filesystem::path& log) {
+  const int log_fd =
+      open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  Start(name, program, arguments, log_fd);
+  if (log_fd >= 0) close(log_fd);
+}
+
+void ProcessGroup::Start(const std::string& name,
+                         const std::filesystem::path& program,
+                         const std::vector<std::string>& arguments,
+                         int output) {
   if (access(program.c_str(), X_OK) != 0) {
     throw std::runtime_error(program.string() +
                              ": no such program; build it first");
@@ -54,12 +64,9 @@ void ProcessGroup::Start(const std::string& name,
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const int log_fd =
-      open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) BecomeProgram(program.c_str(), pointers.data(), log_fd, parent);
-  if (log_fd >= 0) close(log_fd);
+  if (pid == 0) BecomeProgram(program.c_str(), pointers.data(), output, parent);
   if (pid < 0) {
     throw std::runtime_error(program.string() + ": " + std::strerror(errno));
   }
@@ -80,7 +87,8 @@ std::vector<ProcessGroup::Death> ProcessGroup::TakeDeaths() {
       continue;
     }
     const bool is_clean = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    deaths.push_back({it->first, CauseOf(status), is_clean});
+    deaths.push_back({it->first, CauseOf(status), is_clean, std::nullopt});
+    if (WIFEXITED(status)) deaths.back().exit_code = WEXITSTATUS(status);
     it = pids_.erase(it);
   }
   return deaths;

@@ -4,10 +4,14 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cell::cli {
+
+/// The exit code of a process whose program could not be run.
+inline constexpr int kExitNoProgram = 127;
 
 /// The processes of a cell under one launcher: starts them, sees them die,
 /// names why. They die with the launcher. (systemd is the way to run a cell;
@@ -18,6 +22,7 @@ class ProcessGroup {
     std::string name;
     std::string cause;  ///< "killed by signal 9", "exit code 1"
     bool is_clean = false;
+    std::optional<int> exit_code;  ///< nothing if a signal killed it
   };
 
   ProcessGroup() = default;
@@ -30,6 +35,9 @@ class ProcessGroup {
   void Start(const std::string& name, const std::filesystem::path& program,
              const std::vector<std::string>& arguments,
              const std::filesystem::path& log);
+  /// The same to `output`, which stays open here.
+  void Start(const std::string& name, const std::filesystem::path& program,
+             const std::vector<std::string>& arguments, int output);
   void Kill(const std::string& name, int signal);
   bool IsRunning(const std::string& name) const { return pids_.contains(name); }
   /// Those that have died since the last call.

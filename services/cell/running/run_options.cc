@@ -35,7 +35,9 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   if (!help_steps.empty() && episodes.empty()) {
     episodes = "assembly+execution_helped";
   }
-  CheckTask(files, episodes);
+  CheckTask(files, {.demonstration = episodes,
+                    .has_cameras = has_cameras,
+                    .help_steps = help_steps});
   RunFolder run =
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);

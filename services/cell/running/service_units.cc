@@ -1,6 +1,8 @@
 #include "services/cell/running/service_units.h"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,12 +11,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "services/cell/running/manager_failure.h"
+
 namespace cell::cli {
 namespace {
 
 constexpr char kProperties[] =
     "Id,ActiveState,SubState,NRestarts,MainPID,CPUUsageNSec,MemoryCurrent,"
-    "StateChangeTimestamp";
+    "StateChangeTimestamp,StatusText";
 
 // What systemd does not count it writes as "[not set]" or 2^64 - 1.
 int64_t NumberIn(const std::map<std::string, std::string>& block,
@@ -42,7 +46,25 @@ ServiceUnit UnitOf(const std::map<std::string, std::string>& block) {
       1e-9 * static_cast<double>(NumberIn(block, "CPUUsageNSec"));
   unit.memory_bytes = NumberIn(block, "MemoryCurrent");
   unit.since = text("StateChangeTimestamp");
+  unit.last_words = text("StatusText");
   return unit;
+}
+
+struct CommandOutput {
+  std::string text;
+  int status = 0;  // as of wait()
+};
+
+CommandOutput OutputOf(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+  CommandOutput output;
+  std::array<char, 4096> buffer;
+  while (const size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    output.text.append(buffer.data(), size);
+  }
+  output.status = pclose(pipe);
+  return output;
 }
 
 }  // namespace
@@ -83,24 +105,32 @@ std::vector<ServiceUnit> ServiceManager::Units() const {
 }
 
 std::string ServiceManager::Run(const std::string& arguments) const {
-  const std::string command =
-      fmt::format("systemctl {}{} 2>&1", is_user_ ? "--user " : "", arguments);
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  std::string output;
-  std::array<char, 4096> buffer;
-  while (const size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    output.append(buffer.data(), size);
-  }
-  if (pclose(pipe) == 0) return output;
-  const char* help =
-      output.find("not found") != std::string::npos
-          ? "the cell is not installed: cmake --install build/release"
-      : is_user_
-          ? "is a systemd --user manager running (loginctl)?"
-          : "it takes root: sudo cell ...; or a cell of your own: --user";
+  const auto [output, status] = OutputOf(
+      fmt::format("systemctl {}{} 2>&1", is_user_ ? "--user " : "", arguments));
+  if (status == 0) return output;
   throw std::runtime_error(
-      fmt::format("systemctl {}: {}{}", arguments, output, help));
+      Explain({.output = output,
+               .exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 1,
+               .is_user = is_user_,
+               .is_root = geteuid() == 0}));
+}
+
+std::vector<std::string> ServiceManager::LastLinesOf(
+    const ServiceUnit& unit) const {
+  static constexpr char kCommand[] =
+      "journalctl {}--unit '{}' --lines 5 --output cat --no-pager --quiet "
+      "2>/dev/null";
+  std::istringstream journal(
+      OutputOf(fmt::format(kCommand, is_user_ ? "--user " : "", unit.name))
+          .text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(journal, line);) lines.push_back(line);
+  if (lines.empty() && !unit.last_words.empty()) lines = {unit.last_words};
+  return lines;
+}
+
+std::string ServiceManager::JournalCommand() const {
+  return fmt::format("journalctl {}-u 'cell-*'", is_user_ ? "--user " : "");
 }
 
 }  // namespace cell::cli

@@ -17,6 +17,7 @@ struct ServiceUnit {
   double processor_s = 0;    ///< [s] since its start; 0 if not accounted
   int64_t memory_bytes = 0;  ///< 0 if not accounted
   std::string since;         ///< of its state
+  std::string last_words;    ///< why it failed, as it has told the manager
 };
 
 /// The cell's units under the system's manager or the user's own (--user), by
@@ -25,14 +26,22 @@ class ServiceManager {
  public:
   explicit ServiceManager(bool is_user) : is_user_(is_user) {}
 
+  bool is_user() const { return is_user_; }
+
   /// Starts or stops cell.target and waits for it.
-  /// @throws std::runtime_error with systemctl's words and what to do.
+  /// @throws std::runtime_error that says what is missing and what to do.
   void Start() const;
   void Stop() const;
 
   /// Of all units named cell-*.service that are loaded, by name.
   /// @throws std::runtime_error if no manager answers.
   std::vector<ServiceUnit> Units() const;
+
+  /// What the unit has said last, by the journal; where there is none, its
+  /// last words.
+  std::vector<std::string> LastLinesOf(const ServiceUnit& unit) const;
+  /// "journalctl --user -u 'cell-*'"
+  std::string JournalCommand() const;
 
  private:
   std::string Run(const std::string& arguments) const;

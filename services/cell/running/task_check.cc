@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -73,6 +74,35 @@ void CheckDemonstration(const DemonstratorBook& book,
   }
 }
 
+void CheckHelpSteps(const Domain& domain, const Names& steps) {
+  std::set<std::string> known;
+  for (const GroundAction& action : domain.GroundActions(Agent::kRobot)) {
+    known.insert(domain.actions()[action.action].name);
+  }
+  for (const std::string& step : steps) {
+    if (known.contains(step)) continue;
+    throw std::invalid_argument(
+        fmt::format("--help-steps {}: the robot has no action '{}', but: {}",
+                    step, step, fmt::join(known, ", ")));
+  }
+}
+
+/// With those that are absent unless a run asks for `option`.
+Roster WithOption(Roster roster, const Config& config,
+                  const std::string& option) {
+  const size_t num_before = roster.entries.size();
+  for (const Config& item : config["services"].Items()) {
+    if (item.GetOr<std::string>("option", "") != option) continue;
+    roster.entries.push_back({item.Get<std::string>("name"),
+                              item.Integer("latency", 1, 1000),
+                              item.GetOr<std::string>("truth_role", "")});
+  }
+  if (roster.entries.size() == num_before) {
+    config["services"].Fail("has no service with the option " + option);
+  }
+  return roster;
+}
+
 /// What the robot is to do an arm must have a skill for.
 void CheckSkills(const Config& config, const Task& task) {
   const auto& objects = task.domain.vocabulary().objects();
@@ -94,7 +124,7 @@ void CheckSkills(const Config& config, const Task& task) {
 
 }  // namespace
 
-void CheckTask(const CellFiles& files, const std::string& demonstration) {
+void CheckTask(const CellFiles& files, const RunRequest& request) {
   const Deployment& deployment = files.deployment;
   const Task task = LoadTask(deployment);
   SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
@@ -104,10 +134,15 @@ void CheckTask(const CellFiles& files, const std::string& demonstration) {
                                task.parts);
 
   CheckDemonstrators(book_config, book, task.domain, task.layout);
-  CheckDemonstration(book, demonstration);
+  CheckDemonstration(book, request.demonstration);
+  CheckHelpSteps(task.domain, request.help_steps);
   CheckSkills(deployment.OfTask("domain.yaml"), task);
-  CheckRoster(deployment.ForService("roster"), files);
-  const SimBus all(files.roster, AllServices(deployment, demonstration, 1));
+  const Config roster = deployment.ForService("roster");
+  CheckRoster(roster, files);
+  const SimBus all(request.has_cameras
+                       ? WithOption(files.roster, roster, "cameras")
+                       : files.roster,
+                   AllServices(deployment, request.demonstration, 1));
 }
 
 }  // namespace cell::cli

@@ -1,5 +1,6 @@
 #include "services/cell/running/traffic.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/bus/decode.h"
@@ -35,10 +36,11 @@ std::optional<Message> Traffic::Hear(const std::string& channel, Bytes bytes) {
   return *message;
 }
 
-void Traffic::HearControl(const std::string& channel, Bytes bytes) {
+void Traffic::HearControl(const std::string& channel, Bytes bytes,
+                          double now_s) {
   const auto message = MessageFromWire(channel, std::move(bytes));
   const auto health = message ? Decode<health_t>(*message) : std::nullopt;
-  health ? Hear(*health) : static_cast<void>(++num_foreign_);
+  health ? Hear(*health, now_s) : static_cast<void>(++num_foreign_);
 }
 
 void Traffic::Hear(const Message& message) {
@@ -52,14 +54,17 @@ void Traffic::Hear(const Message& message) {
   count.bytes += static_cast<int64_t>(message.bytes->size());
 }
 
-void Traffic::Hear(const health_t& health) {
+void Traffic::Hear(const health_t& health, double now_s) {
   if (health_.size() >= kMaxNames && !health_.contains(health.service)) return;
-  Health& known = health_[health.service];
+  const auto [it, is_first] = health_.try_emplace(health.service);
+  Health& known = it->second;
   // A new life counts from 0.
-  const bool is_new = known.cpu_us_before < 0 ||
-                      health.header.sender != known.last.header.sender;
-  if (is_new) known.cpu_us_before = health.cpu_us;
+  if (is_first || health.header.sender != known.last.header.sender) {
+    known.cpu_us_before = health.cpu_us;
+    known.before_s = now_s;
+  }
   known.last = health;
+  known.last_s = now_s;
 }
 
 void Traffic::Hear(const status_t& status) {
@@ -72,6 +77,13 @@ void Traffic::Hear(const status_t& status) {
     if (!counter.name.starts_with(kRejected)) continue;
     by_channel[counter.name.substr(sizeof(kRejected) - 1)] = counter.value;
   }
+}
+
+bool Traffic::KnowsProcessorTimes() const {
+  if (health_.empty()) return counts_.empty();
+  return std::ranges::all_of(health_, [](const auto& entry) {
+    return entry.second.processor || entry.second.has_two();
+  });
 }
 
 Traffic::Report Traffic::Take(double seconds) {
@@ -93,16 +105,19 @@ Traffic::Report Traffic::Take(double seconds) {
   }
   for (auto& [name, health] : health_) {
     const health_t& last = health.last;
-    report.processes.push_back(
-        {.name = name,
-         .processor = 1e-6 *
-                      static_cast<double>(last.cpu_us - health.cpu_us_before) /
-                      seconds,
-         .resident_bytes = last.resident_bytes,
-         .num_lost = SumOf(last, "lost:"),
-         .num_late = SumOf(last, "late:"),
-         .num_strangers = last.num_strangers});
+    if (health.has_two()) {
+      health.processor =
+          1e-6 * static_cast<double>(last.cpu_us - health.cpu_us_before) /
+          (health.last_s - health.before_s);
+    }
+    report.processes.push_back({.name = name,
+                                .processor = health.processor,
+                                .resident_bytes = last.resident_bytes,
+                                .num_lost = SumOf(last, "lost:"),
+                                .num_late = SumOf(last, "late:"),
+                                .num_strangers = last.num_strangers});
     health.cpu_us_before = last.cpu_us;
+    health.before_s = health.last_s;
   }
   report.num_foreign = num_foreign_ + arrivals_.num_strangers();
   return report;

@@ -26,7 +26,9 @@ class Traffic {
   };
   struct Process {
     std::string name;
-    double processor = 0;  ///< share of one, in the period
+    /// Share of one, between its last two HEALTHs that were looked at; nothing
+    /// as long as there is one only.
+    std::optional<double> processor;
     int64_t resident_bytes = 0;
     int64_t num_lost = 0;  ///< messages that did not reach it, in all
     int64_t num_late = 0;
@@ -36,6 +38,7 @@ class Traffic {
     std::vector<Channel> channels;   // by name
     std::vector<Process> processes;  // by name
     int64_t num_foreign = 0;  ///< messages of no member of the cell, in all
+    bool is_silent() const { return channels.empty() && processes.empty(); }
   };
 
   /// `num_services` listed in the roster.
@@ -43,15 +46,18 @@ class Traffic {
 
   /// What came on the bus: the message, nothing if it is none of the cell's.
   std::optional<Message> Hear(const std::string& channel, Bytes bytes);
-  /// What came on the control port.
-  void HearControl(const std::string& channel, Bytes bytes);
+  /// What came on the control port, when [s].
+  void HearControl(const std::string& channel, Bytes bytes, double now_s);
 
+  /// True if the next report knows the processor time of every service, or no
+  /// cell is heard.
+  bool KnowsProcessorTimes() const;
   /// Of the period since the last call, that has lasted `seconds`.
   Report Take(double seconds);
 
  private:
   void Hear(const Message& message);
-  void Hear(const health_t& health);
+  void Hear(const health_t& health, double now_s);
   void Hear(const status_t& status);
 
   struct Count {
@@ -60,7 +66,12 @@ class Traffic {
   };
   struct Health {
     health_t last{};
-    int64_t cpu_us_before = -1;  // at the period's beginning
+    double last_s = 0;  // when it came
+    double before_s = 0;
+    int64_t cpu_us_before = 0;
+    std::optional<double> processor;
+
+    bool has_two() const { return last_s > before_s; }
   };
 
   Arrivals arrivals_;

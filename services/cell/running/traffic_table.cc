@@ -18,14 +18,18 @@ double Megabytes(int64_t bytes) {
   return static_cast<double>(bytes) / (1 << 20);
 }
 
+std::string Percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:.1f}", 100 * *share) : "?";
+}
+
 std::string WideTable(const Traffic::Report& report) {
   std::string text =
       fmt::format("{:{}} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
                   kNameColumns, "CPU %", "MB", "lost", "late", "strangers");
   for (const Traffic::Process& p : report.processes) {
-    text += fmt::format("{:{}} {:6.1f} {:8.1f} {:7} {:7} {:9}\n",
+    text += fmt::format("{:{}} {:>6} {:8.1f} {:7} {:7} {:9}\n",
                         PrintableName(p.name, kMaxName), kNameColumns,
-                        100 * p.processor, Megabytes(p.resident_bytes),
+                        Percent(p.processor), Megabytes(p.resident_bytes),
                         p.num_lost, p.num_late, p.num_strangers);
   }
   text += fmt::format("\n{:{}} {:>8} {:>10} {:>7} {:>9}\n", "channel",
@@ -43,8 +47,8 @@ std::string NarrowTable(const Traffic::Report& report, int columns) {
   const auto max_name = static_cast<size_t>(std::max(columns, 8));
   std::string text;
   for (const Traffic::Process& p : report.processes) {
-    text += fmt::format("{}\n CPU {:.1f} %, {:.1f} MB\n",
-                        PrintableName(p.name, max_name), 100 * p.processor,
+    text += fmt::format("{}\n CPU {} %, {:.1f} MB\n",
+                        PrintableName(p.name, max_name), Percent(p.processor),
                         Megabytes(p.resident_bytes));
     if (p.num_lost + p.num_late + p.num_strangers == 0) continue;
     text += fmt::format(" {} lost, {} late\n {} strangers\n", p.num_lost,
@@ -61,9 +65,20 @@ std::string NarrowTable(const Traffic::Report& report, int columns) {
   return text + "\n";
 }
 
+std::string SilenceText(const Traffic::Report& report) {
+  std::string text =
+      "no cell is heard here. Does one run (cell demo, cell up), and on this "
+      "address (--url)?\n";
+  if (report.num_foreign > 0) {
+    text += fmt::format("of no member of a cell: {}\n", report.num_foreign);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string TrafficTable(const Traffic::Report& report, int columns) {
+  if (report.is_silent()) return SilenceText(report);
   return (columns < kWidestTable ? NarrowTable(report, columns)
                                  : WideTable(report)) +
          fmt::format("of no member of the cell: {}\n", report.num_foreign);

@@ -8,7 +8,8 @@ namespace cell::cli {
 
 /// The report as a person reads it, a line for each service and each channel.
 /// A screen of fewer `columns` than the tables need gets each name on a line of
-/// its own and the numbers, named, below it.
+/// its own and the numbers, named, below it. Where no cell is heard it says so
+/// instead.
 std::string TrafficTable(const Traffic::Report& report, int columns);
 
 }  // namespace cell::cli

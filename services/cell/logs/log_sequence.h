@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "services/cell/logs/log_finding.h"
+#include "services/cell/logs/log_index.h"
+
+namespace cell::cli {
+
+/// Where the numbers that a log gives its events, 0, 1, 2, ... in each file,
+/// jump: one finding for each jump, one for all of them if they are many. An
+/// event between two others whose numbers follow each other is one that
+/// somebody has put there. Pure.
+std::vector<LogFinding> FindOddNumbers(const LogIndex& index,
+                                       bool is_canonical);
+
+/// How a log's stamps should be.
+struct StampRules {
+  /// [us] An event may be so much earlier than the one before it.
+  int64_t backward_us = 0;
+  /// False: silences say nothing, for something else tells what is missing.
+  bool has_silences = true;
+};
+
+/// Where a log's time runs back, and where nothing came for long: a second or
+/// more, a hundred times as long as half of its events take to come. More than
+/// a few such silences are its nature, and no findings. Pure.
+std::vector<LogFinding> FindOddStamps(const LogIndex& index,
+                                      const StampRules& rules);
+
+}  // namespace cell::cli
