@@ -1,12 +1,11 @@
 // What a person is told of systemd, and of the environment of a cell's units.
-#include "services/cell/running/service_units.h"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
 #include "common/config/strict_yaml.h"
 #include "services/cell/running/manager_failure.h"
+#include "services/cell/running/service_units.h"
 #include "services/cell/running/unit_environment.h"
 
 namespace cell {

@@ -83,8 +83,8 @@ void UnitEnvironment::Check(const CellFiles& files) const {
   RequireOneOf("CELL_CAMERAS", "--cameras");
   const std::string seed = ValueOf("CELL_SEED");
   const auto number = ParseDecimal<uint64_t>(seed);
-  if (!seed.empty() && !number.value) {
-    Fail("CELL_SEED", "'" + seed + "' " + number.why +
+  if (!seed.empty() && !number) {
+    Fail("CELL_SEED", "'" + seed + "' " + number.reason() +
                           "; should be a whole number of at least 0");
   }
   try {
