@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/sec/relation.h"
+#include "common/scene/relation.h"
 
 namespace cell {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "common/sec/cast.h"
+#include "common/scene/cast.h"
 
 namespace cell {
 namespace {

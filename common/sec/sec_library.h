@@ -7,7 +7,7 @@
 
 #include "common/relational/state.h"
 #include "common/sec/event_chain.h"
-#include "common/sec/key_frame.h"
+#include "common/scene/key_frame.h"
 
 namespace cell {
 

@@ -8,8 +8,8 @@
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
 #include "common/relational/domain.h"
-#include "common/sec/cast.h"
-#include "common/sec/predicate_sensor.h"
+#include "common/scene/cast.h"
+#include "common/predicates/predicate_sensor.h"
 
 namespace cell {
 

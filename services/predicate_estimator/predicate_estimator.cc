@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cell/predicates_t.hpp"
-#include "common/sec/scene.h"
+#include "common/scene/scene.h"
 #include "common/task/task.h"
 
 namespace cell::predicate_estimator {

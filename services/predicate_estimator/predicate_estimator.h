@@ -10,10 +10,10 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/relational/vocabulary.h"
-#include "common/sec/cast.h"
-#include "common/sec/key_frame.h"
-#include "common/sec/predicate_sensor.h"
-#include "common/sec/track.h"
+#include "common/scene/cast.h"
+#include "common/scene/key_frame.h"
+#include "common/predicates/predicate_sensor.h"
+#include "common/scene/track.h"
 
 namespace cell::predicate_estimator {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/sec/scene.h"
-#include "common/sec/seat.h"
+#include "common/scene/scene.h"
+#include "common/predicates/seat.h"
 
 namespace cell::recognizer {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/sec/cast.h"
-#include "common/sec/predicate_sensor.h"
+#include "common/scene/cast.h"
+#include "common/predicates/predicate_sensor.h"
 #include "common/sec/sec_library.h"
 #include "services/recognizer/manipulation.h"
 

@@ -7,7 +7,7 @@
 #include "cell/library_request_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/sec/condition_library.h"
-#include "common/sec/key_frame.h"
+#include "common/scene/key_frame.h"
 #include "common/task/task.h"
 
 namespace cell::recognizer {

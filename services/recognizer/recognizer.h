@@ -9,7 +9,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "common/sec/cast.h"
+#include "common/scene/cast.h"
 #include "services/recognizer/recognition.h"
 
 namespace cell::recognizer {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "common/sec/seat.h"
+#include "common/predicates/seat.h"
 
 namespace cell::robot_arm {
 namespace {

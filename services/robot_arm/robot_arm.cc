@@ -12,7 +12,7 @@
 #include "common/arms/motion_messages.h"
 #include "common/kinematics/joint_values.h"
 #include "common/layout/limit_words.h"
-#include "common/sec/track.h"
+#include "common/scene/track.h"
 #include "common/skills/skill_arguments.h"
 #include "common/task/task.h"
 #include "services/robot_arm/skills/skill_catalog.h"

@@ -20,7 +20,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
-#include "common/sec/cast.h"
+#include "common/scene/cast.h"
 #include "services/robot_arm/arm_worker.h"
 
 namespace cell::robot_arm {

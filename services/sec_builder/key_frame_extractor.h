@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "common/sec/cast.h"
-#include "common/sec/key_frame.h"
-#include "common/sec/track.h"
+#include "common/scene/cast.h"
+#include "common/scene/key_frame.h"
+#include "common/scene/track.h"
 #include "services/sec_builder/pair_filter.h"
 #include "services/sec_builder/proximity.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/sec/relation.h"
+#include "common/scene/relation.h"
 #include "services/sec_builder/proximity.h"
 
 namespace cell::sec_builder {

@@ -6,9 +6,9 @@
 
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
-#include "common/sec/cast.h"
-#include "common/sec/relation.h"
-#include "common/sec/track.h"
+#include "common/scene/cast.h"
+#include "common/scene/relation.h"
+#include "common/scene/track.h"
 
 namespace cell::sec_builder {
 

@@ -1,6 +1,6 @@
 #include "services/sec_builder/sec_builder.h"
 
-#include "common/sec/track.h"
+#include "common/scene/track.h"
 #include "common/task/task.h"
 
 namespace cell::sec_builder {

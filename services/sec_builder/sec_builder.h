@@ -8,7 +8,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
-#include "common/sec/cast.h"
+#include "common/scene/cast.h"
 #include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 

@@ -7,8 +7,8 @@
 
 #include "common/geometry/truth_poses.h"
 #include "common/layout/cell_layout.h"
-#include "common/sec/cast.h"
-#include "common/sec/track.h"
+#include "common/scene/cast.h"
+#include "common/scene/track.h"
 
 namespace cell::tracker {
 

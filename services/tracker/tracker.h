@@ -8,7 +8,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/layout/cell_layout.h"
-#include "common/sec/cast.h"
+#include "common/scene/cast.h"
 #include "services/tracker/ideal_tracker.h"
 
 namespace cell::tracker {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "common/sec/seat.h"
+#include "common/predicates/seat.h"
 
 namespace cell::vtb {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/sec/seat.h"
+#include "common/predicates/seat.h"
 
 namespace cell::vtb {
 namespace {

@@ -9,7 +9,7 @@
 #include "common/config/config.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
-#include "common/sec/seat.h"
+#include "common/predicates/seat.h"
 #include "services/vtb/hand_path.h"
 
 namespace cell::vtb {

@@ -43,8 +43,8 @@
 #include "common/config/deployment.h"
 #include "common/imaging/rgbd_frame.h"
 #include "common/skills/skill_arguments.h"
-#include "services/cell/evaluations/episode_observer.h"
-#include "services/cell/running/narrator.h"
+#include "services/cell/scoring/episode_observer.h"
+#include "services/cell/reporting/narrator.h"
 #include "services/cell/running/service_registry.h"
 
 namespace cell {

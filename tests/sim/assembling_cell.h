@@ -9,8 +9,8 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/sim_bus.h"
-#include "services/cell/evaluations/assembly_score.h"
-#include "services/cell/evaluations/pose_looks.h"
+#include "services/cell/scoring/assembly_score.h"
+#include "services/cell/scoring/pose_looks.h"
 #include "services/cell/running/service_registry.h"
 #include "tests/unit/stage_testing.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "common/geometry/pose.h"
-#include "services/cell/evaluations/assembly_score.h"
+#include "services/cell/scoring/assembly_score.h"
 #include "services/vtb/demonstrator.h"
 #include "tests/unit/stage_testing.h"
 

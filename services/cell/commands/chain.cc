@@ -13,7 +13,7 @@
 #include "common/bus/run_log.h"
 #include "common/sec/chain_similarities.h"
 #include "common/sec/event_chain.h"
-#include "common/sec/key_frame.h"
+#include "common/scene/key_frame.h"
 #include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"

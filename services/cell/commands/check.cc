@@ -13,7 +13,7 @@
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/motion/motion_check.h"
+#include "services/cell/scoring/motion_check.h"
 #include "services/cell/running/run_folder.h"
 
 namespace cell::cli {

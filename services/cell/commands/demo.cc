@@ -22,7 +22,7 @@
 #include "services/cell/running/process_output.h"
 #include "services/cell/running/restart_policy.h"
 #include "services/cell/running/run_options.h"
-#include "services/cell/running/run_report.h"
+#include "services/cell/reporting/run_report.h"
 
 namespace cell::cli {
 namespace {

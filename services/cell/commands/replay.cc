@@ -13,7 +13,7 @@
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/running/narrator.h"
+#include "services/cell/reporting/narrator.h"
 #include "services/cell/running/run_folder.h"
 #include "services/cell/running/service_registry.h"
 

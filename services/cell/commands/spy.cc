@@ -11,7 +11,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/doctor/host_machine.h"
 #include "services/cell/running/cell_address.h"
-#include "services/cell/running/spy_command.h"
+#include "services/cell/doctor/spy_command.h"
 
 namespace cell::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "common/task/task.h"
-#include "services/cell/evaluations/assembly_observer.h"
-#include "services/cell/motion/motion_check.h"
+#include "services/cell/scoring/assembly_observer.h"
+#include "services/cell/scoring/motion_check.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
 

@@ -6,7 +6,7 @@
 #include "cell/command_fault_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "common/bus/decode.h"
-#include "services/cell/evaluations/assembly_score.h"
+#include "services/cell/scoring/assembly_score.h"
 
 namespace cell::cli {
 

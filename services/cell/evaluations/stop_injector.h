@@ -14,9 +14,9 @@
 #include "common/bus/sim_bus.h"
 #include "common/geometry/truth_poses.h"
 #include "common/skills/skill_arguments.h"
-#include "services/cell/evaluations/pose_looks.h"
+#include "services/cell/scoring/pose_looks.h"
 #include "services/cell/evaluations/stop_choice.h"
-#include "services/cell/evaluations/success_criterion.h"
+#include "services/cell/scoring/success_criterion.h"
 
 namespace cell::cli {
 

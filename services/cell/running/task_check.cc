@@ -10,7 +10,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/task/task.h"
 #include "common/text/nearest.h"
-#include "services/cell/evaluations/success_criterion.h"
+#include "services/cell/scoring/success_criterion.h"
 #include "services/cell/running/service_registry.h"
 #include "services/robot_arm/skill_settings.h"
 #include "services/robot_arm/skills/skill_catalog.h"

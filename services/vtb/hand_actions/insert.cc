@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/sec/seat.h"
+#include "common/predicates/seat.h"
 #include "services/vtb/hand_actions.h"
 
 namespace cell::vtb::hand_action {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "common/parts/part_table.h"
+#include "common/scene/cast.h"
+#include "common/scene/key_frame.h"
+#include "common/scene/track.h"
+
+namespace cell {
+
+/// What is known of a part at an instant.
+enum class Sight {
+  kSeen,    ///< tracked
+  kFrozen,  ///< hidden; its pose is the last one seen
+  kMissing  ///< nobody knows where it is
+};
+
+/// What is known of the parts at an instant, by index in the part table.
+struct Scene {
+  struct Item {
+    Sight sight = Sight::kMissing;
+    Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
+    bool is_held = false;       ///< a hand touches it
+    std::vector<bool> touches;  ///< each part
+  };
+  std::vector<Item> items;
+};
+
+/// The scene at a key frame, of which each part that has a pose is taken as
+/// seen.
+Scene SceneOf(const KeyFrame& frame, const Cast& cast);
+
+/// The same, where the tracks say who is seen: without a track a part is
+/// missing.
+Scene SceneOf(const KeyFrame& frame, const Tracks& tracks, const Cast& cast);
+
+}  // namespace cell

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/cell/scoring/episode_observer.h"
+#include "services/cell/logs/channel_digests.h"
+#include "services/cell/logs/log_follower.h"
+#include "services/cell/reporting/narrator.h"
+#include "services/cell/running/progress.h"
+#include "services/cell/running/run_folder.h"
+#include "services/cell/running/run_options.h"
+
+namespace cell::cli {
+
+/// Tells on the terminal what a run does, from its log as it grows, and sums it
+/// up. With --hash it says nothing but the digests of the channels.
+class RunReport {
+ public:
+  RunReport(const RunFolder& run, const RunOptions& options);
+
+  /// Tells what has been written since the last call.
+  void Follow();
+  /// A word from the launcher, between the lines.
+  void Say(const std::string& line);
+  /// Sums up, draws the end of each episode into the run folder.
+  /// @return 0 if the last episode came to its end, and none waited in vain
+  /// for a person.
+  int Finish();
+
+ private:
+  std::string DrawPicture(const EpisodeRecord& record,
+                          const std::string& name) const;
+
+  const RunFolder& run_;
+  bool is_hash_;
+  LogFollower follower_;
+  Narrator narrator_;
+  EpisodeObserver observer_;
+  ChannelDigests digests_;
+  Progress progress_;
+  int32_t tick_ = 0;
+};
+
+}  // namespace cell::cli

@@ -1,2 +1,0 @@
-cell_add_test(unit/camera_set_test.cc LINK cell_camera_set cell_tracker)
-cell_add_test(unit/recorded_frames_test.cc LINK cell_camera_set)

@@ -1,0 +1,100 @@
+// The story that a run tells on the screen.
+#include "services/cell/reporting/narrator.h"
+
+#include <gmock/gmock.h>
+
+#include "cell/execution_t.hpp"
+#include "cell/plan_t.hpp"
+#include "cell/predicates_t.hpp"
+#include "common/bus/bus.h"
+
+namespace cell::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+template <class T>
+Message MessageOf(const std::string& channel, const T& content) {
+  Message message{};
+  message.channel = channel;
+  message.bytes = std::make_shared<const Bytes>(Bus::Encode(content));
+  return message;
+}
+
+plan_t PlanOf(const std::vector<std::string>& actions) {
+  plan_t plan{};
+  plan.result = actions.empty() ? plan_t::GOAL_REACHED : plan_t::FOUND;
+  plan.expected_actions = static_cast<double>(actions.size());
+  for (const std::string& action : actions) {
+    plan_step_t step{};
+    step.action = action;
+    plan.steps.push_back(step);
+    plan.next.push_back(step);
+  }
+  plan.num_steps = static_cast<int32_t>(plan.steps.size());
+  plan.num_next = static_cast<int32_t>(plan.next.size());
+  return plan;
+}
+
+std::vector<std::string> Trimmed(std::vector<std::string> lines) {
+  for (std::string& line : lines) line.erase(0, line.find_first_not_of(' '));
+  return lines;
+}
+
+TEST(Narrator, TellsTheNextStepAndHowManyFollow) {
+  Narrator narrator;
+  const auto tell = [&](const std::vector<std::string>& actions) {
+    return Trimmed(narrator.Tell(MessageOf("PLAN", PlanOf(actions))));
+  };
+  EXPECT_THAT(tell({"A", "B", "C"}),
+              ElementsAre("next: A(), then 2 more steps"));
+  EXPECT_THAT(tell({"A", "B", "C"}), IsEmpty()) << "nothing has changed";
+  EXPECT_THAT(tell({"B", "C"}), ElementsAre("next: B(), then 1 more step"));
+  EXPECT_THAT(tell({"C"}), ElementsAre("next: C(), the last step"));
+  EXPECT_THAT(tell({}), ElementsAre("the goal is reached"));
+}
+
+TEST(Narrator, TellsWholePlansOnRequestOnly) {
+  Narrator narrator(true);
+  EXPECT_THAT(Trimmed(narrator.Tell(MessageOf("PLAN", PlanOf({"A", "B"})))),
+              ElementsAre("next: A(), then 1 more step",
+                          "plan, 2.00 actions expected: A(), B()",
+                          "possible now: A(), B()"));
+}
+
+TEST(Narrator, TellsWhatHasChangedNotWhatThereIs) {
+  predicates_t predicates{};
+  for (const char* name : {"Calm", "Open"}) {
+    literal_t literal{};
+    literal.predicate = name;
+    literal.value = literal_t::TRUE_;
+    predicates.literals.push_back(literal);
+  }
+  predicates.num_literals = 2;
+  Narrator brief, verbose(true);
+  EXPECT_THAT(brief.Tell(MessageOf("PREDICATES", predicates)), IsEmpty());
+  EXPECT_THAT(Trimmed(verbose.Tell(MessageOf("PREDICATES", predicates))),
+              ElementsAre("state: Calm(), Open()"));
+  predicates.literals[1].value = literal_t::FALSE_;
+  EXPECT_THAT(Trimmed(brief.Tell(MessageOf("PREDICATES", predicates))),
+              ElementsAre("now: not Open()"));
+}
+
+TEST(Narrator, TellsTheFormulaOfAQuestionOnRequestOnly) {
+  execution_t execution{};
+  execution.state = execution_t::STUCK;
+  execution.text = "please put the shaft back";
+  execution.formula = "Free(base.shaft) is false";
+  Narrator brief, verbose(true);
+  const auto lines = brief.Tell(MessageOf("EXECUTION", execution));
+  ASSERT_THAT(lines, SizeIs(1));
+  EXPECT_THAT(lines[0], HasSubstr("QUESTION: please put the shaft back"));
+  EXPECT_THAT(verbose.Tell(MessageOf("EXECUTION", execution))[1],
+              HasSubstr("since Free(base.shaft) is false"));
+}
+
+}  // namespace
+}  // namespace cell::cli

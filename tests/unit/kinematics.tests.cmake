@@ -1,1 +1,0 @@
-cell_add_test(unit/arm_model_test.cc LINK cell_kinematics)

@@ -1,3 +1,0 @@
-cell_add_test(unit/motion_search_test.cc LINK cell_motion_planner cell_tracker)
-cell_add_test(unit/motion_messages_test.cc LINK cell_motion_planner cell_tracker)
-cell_add_test(unit/motion_planner_test.cc LINK cell_motion_planner cell_tracker)

@@ -1,1 +1,0 @@
-cell_add_test(unit/number_option_test.cc LINK cell_node CLI11::CLI11)

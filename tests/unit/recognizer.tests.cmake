@@ -1,1 +1,0 @@
-cell_add_test(unit/recognition_test.cc LINK cell_recognizer cell_task cell_tracker)

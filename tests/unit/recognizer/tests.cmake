@@ -1,0 +1,1 @@
+cell_add_test(unit/recognizer/recognition_test.cc LINK cell_recognizer cell_task cell_tracker)

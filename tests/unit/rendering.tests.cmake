@@ -1,2 +1,0 @@
-cell_add_test(unit/rendering_test.cc LINK cell_rendering)
-cell_add_test(unit/framing_test.cc LINK cell_rendering Eigen3::Eigen)

@@ -1,0 +1,1 @@
+cell_add_test(unit/scene/sec_messages_test.cc LINK cell_sec cell_task)

@@ -1,0 +1,1 @@
+cell_add_test(unit/sec/event_chain_test.cc LINK cell_sec)

@@ -1,0 +1,1 @@
+cell_add_test(unit/supervisor/supervisor_test.cc LINK cell_supervisor)

@@ -1,1 +1,0 @@
-cell_add_test(unit/ideal_tracker_test.cc LINK cell_tracker)

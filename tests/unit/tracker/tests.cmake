@@ -1,0 +1,1 @@
+cell_add_test(unit/tracker/ideal_tracker_test.cc LINK cell_tracker)
