@@ -10,7 +10,7 @@ bool Arrivals::Take(const Message& message) {
   const auto it = flows_.find(key);
   if (message.sender < 0 || message.seq < 0 || index >= num_services_ ||
       (it == flows_.end() && flows_.size() >= kMaxFlows)) {
-    ++num_strangers_;
+    ++num_unknown_senders_;
     return false;
   }
   if (it == flows_.end()) {
@@ -47,7 +47,7 @@ bool Arrivals::Follows(const Message& message, Flow* flow) {
       flow->doubtful == std::pair(message.sender, message.seq - 1);
   if (!is_new_life && !is_confirmed) {
     flow->doubtful = {message.sender, message.seq};
-    ++num_strangers_;
+    ++num_unknown_senders_;
     return false;
   }
   *flow = {.sender = message.sender, .seq = message.seq};

@@ -16,18 +16,18 @@ namespace cell {
 /// neither block the true ones nor make this grow without bound. Pure.
 class Arrivals {
  public:
-  /// `num_services` in the roster: other senders are strangers.
+  /// `num_services` in the roster: other senders are unknown senders.
   explicit Arrivals(size_t num_services) : num_services_(num_services) {}
 
   /// True if `message` is to be handled: the next of its sender on its channel,
-  /// one that was skipped, or the first of a new life. A far jump is believed
-  /// once a second message follows it.
+  /// one that was skipped, or the first of a new incarnation. A far jump is
+  /// believed once a second message follows it.
   bool Take(const Message& message);
 
   /// Messages that never came, by channel.
   const std::map<std::string, int64_t>& num_lost() const { return num_lost_; }
   int64_t num_repeated() const { return num_repeated_; }
-  int64_t num_strangers() const { return num_strangers_; }
+  int64_t num_unknown_senders() const { return num_unknown_senders_; }
 
  private:
   /// A jump of more is not a loss but a forgery or a long absence.
@@ -48,7 +48,7 @@ class Arrivals {
   std::map<std::pair<std::string, size_t>, Flow> flows_;
   std::map<std::string, int64_t> num_lost_;
   int64_t num_repeated_ = 0;
-  int64_t num_strangers_ = 0;
+  int64_t num_unknown_senders_ = 0;
 };
 
 }  // namespace cell

@@ -13,7 +13,7 @@
 namespace cell {
 
 Clock::Clock(Roster roster, int64_t run)
-    : roster_(std::move(roster)), run_(run), seats_(roster_.entries.size()) {}
+    : roster_(std::move(roster)), run_(run), slots_(roster_.entries.size()) {}
 
 std::optional<std::string> Clock::Hello(const hello_t& hello) {
   const auto index = roster_.IndexOf(hello.name);
@@ -31,62 +31,62 @@ std::optional<std::string> Clock::Hello(const hello_t& hello) {
         "build all services from one tree",
         hello.name, hello.types_digest, kTypesDigest);
   }
-  Seat& seat = seats_[*index];
-  if (seat.life >= 0 && seat.nonce == hello.nonce) return std::nullopt;
-  seat.successor = hello.nonce;
-  seat.is_dead = seat.life >= 0;
+  Slot& slot = slots_[*index];
+  if (slot.incarnation >= 0 && slot.nonce == hello.nonce) return std::nullopt;
+  slot.successor = hello.nonce;
+  slot.is_dead = slot.incarnation >= 0;
   return std::nullopt;
 }
 
 bool Clock::Ack(const ack_t& ack) {
   const auto index = static_cast<size_t>(BaseOf(ack.header.sender));
   if (ack.run != run_ || ack.header.sender < 0 || index == 0 ||
-      index >= seats_.size() || !IsSound(ack.flows)) {
+      index >= slots_.size() || !IsSound(ack.flows)) {
     return false;
   }
-  Seat& seat = seats_[index];
+  Slot& slot = slots_[index];
   const int32_t lead = roster_.entries[index].latency - 1;
-  const bool is_new = ack.nonce == seat.nonce && seat.life >= 0 &&
-                      !seat.is_dead && ack.header.tick > seat.acted &&
+  const bool is_new = ack.nonce == slot.nonce && slot.incarnation >= 0 &&
+                      !slot.is_dead && ack.header.tick > slot.acted &&
                       ack.header.tick <= tick_;
   if (!is_new) return false;
   if (ack.is_busy) {
     if (ack.until != ack.header.tick + lead) return false;
-    seat.answered = ack.until - 1;
+    slot.answered = ack.until - 1;
     return true;
   }
-  seat.answered = seat.acted = ack.header.tick;
-  if (ack.num_flows > 0) seat.flows[ack.header.tick] = ack.flows;
+  slot.answered = slot.acted = ack.header.tick;
+  if (ack.num_flows > 0) slot.flows[ack.header.tick] = ack.flows;
   return true;
 }
 
 std::vector<std::string> Clock::MissingFromRoster() const {
   std::vector<std::string> names;
-  for (size_t i = 1; i < seats_.size(); ++i) {
-    if (seats_[i].life < 0 && !seats_[i].successor && tick_ < 0) {
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (slots_[i].incarnation < 0 && !slots_[i].successor && tick_ < 0) {
       names.push_back(roster_.entries[i].name);
     }
   }
   return names;
 }
 
-bool Clock::IsAwaited(const Seat& seat) const {
-  return seat.life >= 0 && !seat.is_dead && seat.answered < tick_;
+bool Clock::IsAwaited(const Slot& slot) const {
+  return slot.incarnation >= 0 && !slot.is_dead && slot.answered < tick_;
 }
 
 std::vector<std::string> Clock::Awaited() const {
   std::vector<std::string> names;
-  for (size_t i = 1; i < seats_.size(); ++i) {
-    if (IsAwaited(seats_[i])) names.push_back(roster_.entries[i].name);
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (IsAwaited(slots_[i])) names.push_back(roster_.entries[i].name);
   }
   return names;
 }
 
 std::vector<flow_t> Clock::CurrentFlows() const {
   std::vector<flow_t> flows;
-  for (const Seat& seat : seats_) {
-    const auto it = seat.flows.find(tick_);
-    if (it == seat.flows.end()) continue;
+  for (const Slot& slot : slots_) {
+    const auto it = slot.flows.find(tick_);
+    if (it == slot.flows.end()) continue;
     flows.insert(flows.end(), it->second.begin(), it->second.end());
   }
   return flows;
@@ -94,19 +94,19 @@ std::vector<flow_t> Clock::CurrentFlows() const {
 
 std::vector<joined_t> Clock::JoinWaiting() {
   std::vector<joined_t> joined;
-  for (size_t i = 1; i < seats_.size(); ++i) {
-    Seat& seat = seats_[i];
-    if (!seat.successor) continue;
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    if (!slot.successor) continue;
     joined_t& entry = joined.emplace_back();
     entry.name = roster_.entries[i].name;
-    entry.nonce = *seat.successor;
-    entry.death_tick = seat.life >= 0 ? seat.acted + 1 : -1;
-    const int32_t life = seat.life + 1;
-    seat = Seat{};
-    seat.life = life;
-    seat.nonce = entry.nonce;
-    seat.answered = seat.acted = tick_ - 1;
-    entry.sender = SenderOf(i, life);
+    entry.nonce = *slot.successor;
+    entry.death_tick = slot.incarnation >= 0 ? slot.acted + 1 : -1;
+    const int32_t incarnation = slot.incarnation + 1;
+    slot = Slot{};
+    slot.incarnation = incarnation;
+    slot.nonce = entry.nonce;
+    slot.answered = slot.acted = tick_ - 1;
+    entry.sender = SenderOf(i, incarnation);
   }
   return joined;
 }
@@ -124,7 +124,7 @@ const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
       tick.flows.begin(), tick.flows.end(), [](const auto& a, const auto& b) {
         return std::tie(a.channel, a.sender) < std::tie(b.channel, b.sender);
       });
-  for (Seat& seat : seats_) seat.flows.erase(tick_);
+  for (Slot& slot : slots_) slot.flows.erase(tick_);
   ++tick_;
   tick.header.utime = int64_t{tick_} * kTickUs;
   tick.header.tick = tick_;
@@ -143,9 +143,9 @@ const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
 
 void Clock::ForgetTicks() {
   int32_t oldest = tick_;
-  for (size_t i = 1; i < seats_.size(); ++i) {
-    if (seats_[i].life < 0) continue;
-    oldest = std::min(oldest, seats_[i].acted + 1);
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (slots_[i].incarnation < 0) continue;
+    oldest = std::min(oldest, slots_[i].acted + 1);
   }
   std::erase_if(recent_, [oldest](const tick_t& old) {
     return old.header.tick < oldest;

@@ -27,9 +27,9 @@ class Clock {
 
   /// The service at this index of the roster is known to be dead: nobody waits
   /// for it until its successor joins.
-  void Mourn(size_t index) { seats_[index].is_dead = true; }
+  void MarkDead(size_t index) { slots_[index].is_dead = true; }
 
-  /// False if the ACK is of another run, life or tick and was ignored.
+  /// False if the ACK is of another run, incarnation or tick and was ignored.
   bool Ack(const ack_t& ack);
 
   /// The services that still have to say HELLO before tick 0.
@@ -54,8 +54,8 @@ class Clock {
   int64_t run() const { return run_; }
 
  private:
-  struct Seat {
-    int32_t life = -1;  // of the service that has joined; -1: none yet
+  struct Slot {
+    int32_t incarnation = -1;  // of the service that has joined; -1: none yet
     int64_t nonce = 0;
     bool is_dead = false;              // its successor has said HELLO
     int32_t answered = -1;             // last tick the ACKs cover
@@ -64,7 +64,7 @@ class Clock {
     std::map<int32_t, std::vector<flow_t>> flows;  // by tick
   };
 
-  bool IsAwaited(const Seat& seat) const;
+  bool IsAwaited(const Slot& slot) const;
   void ForgetTicks();
   std::vector<joined_t> JoinWaiting();
 
@@ -72,7 +72,7 @@ class Clock {
   int64_t run_;
   int32_t tick_ = -1;
   int64_t previous_digest_ = 0;
-  std::vector<Seat> seats_;  // by roster index; the clock's own is unused
+  std::vector<Slot> slots_;  // by roster index; the clock's own is unused
   std::vector<tick_t> recent_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace cell {
 
-/// Builds a service on a bus. Called once per life.
+/// Builds a service on a bus. Called once per incarnation.
 using ServiceFactory = std::function<std::unique_ptr<Service>(Bus&)>;
 
 /// Runs the service that owns time, tick by tick, and gives operators'

@@ -224,11 +224,11 @@ void EventLogReader::SkipToNextSync() {
   }
   const int64_t begin = offset_ + static_cast<int64_t>(position_);
   const auto length = static_cast<int64_t>(position - position_);
-  if (!damages_.empty() &&
-      damages_.back().offset + damages_.back().length == begin) {
-    damages_.back().length += length;
+  if (!corrupt_ranges_.empty() &&
+      corrupt_ranges_.back().offset + corrupt_ranges_.back().length == begin) {
+    corrupt_ranges_.back().length += length;
   } else {
-    damages_.push_back({begin, length});
+    corrupt_ranges_.push_back({begin, length});
   }
   position_ = position;
 }

@@ -49,7 +49,7 @@ class EventLogWriter {
 /// what it skipped (stock readers stop silently).
 class EventLogReader {
  public:
-  struct Damage {
+  struct CorruptRange {
     int64_t offset = 0;  ///< [bytes] where the damage begins
     int64_t length = 0;  ///< [bytes] skipped: no whole event begins there
   };
@@ -63,7 +63,9 @@ class EventLogReader {
   /// Says that the log will not grow: an event that is cut off is damage then,
   /// not one that is still to come.
   void Finish() { is_finished_ = true; }
-  const std::vector<Damage>& damages() const { return damages_; }
+  const std::vector<CorruptRange>& corrupt_ranges() const {
+    return corrupt_ranges_;
+  }
 
  private:
   enum class Parse { kEvent, kMoreNeeded, kDamaged };
@@ -83,7 +85,7 @@ class EventLogReader {
   size_t position_ = 0;  // in buffer_
   int64_t offset_ = 0;   // of buffer_ in the file
   bool is_finished_ = false;
-  std::vector<Damage> damages_;
+  std::vector<CorruptRange> corrupt_ranges_;
 };
 
 }  // namespace cell

@@ -32,7 +32,7 @@ FollowNode::FollowNode(const Roster& roster, const std::string& name,
 
 void FollowNode::PutTick(tick_t tick) {
   if (!IsSound(tick.flows)) return;
-  // The follower takes the recorded service's seat; a log that was begun later
+  // The follower takes the recorded service's slot; a log that was begun later
   // does not say when that was taken.
   std::erase_if(tick.joined, [this](const joined_t& joined) {
     return joined.name == name_ && node_.has_joined();

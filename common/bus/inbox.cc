@@ -15,16 +15,16 @@ size_t WeightOf(const Message& message) {
 
 void Inbox::Put(Message message) {
   if (num_bytes_ + WeightOf(message) > kMaxBytes) {
-    ++num_strangers_;
+    ++num_unknown_senders_;
     return;
   }
-  std::vector<Message>& twins =
+  std::vector<Message>& duplicates =
       candidates_[{message.channel, message.sender, message.seq}];
-  for (const Message& twin : twins) {
-    if (twin.digest == message.digest) return;  // came again
+  for (const Message& duplicate : duplicates) {
+    if (duplicate.digest == message.digest) return;  // came again
   }
   num_bytes_ += WeightOf(message);
-  twins.push_back(std::move(message));
+  duplicates.push_back(std::move(message));
 }
 
 std::optional<std::vector<Message>> Inbox::Take(
@@ -50,8 +50,9 @@ std::optional<std::vector<Message>> Inbox::Take(
   for (const auto& [id, match] : found) messages.push_back(*match);
   for (const auto& [id, match] : found) {
     const auto it = candidates_.find(id);
-    for (const Message& twin : it->second) num_bytes_ -= WeightOf(twin);
-    num_strangers_ += static_cast<int64_t>(it->second.size()) - 1;
+    for (const Message& duplicate : it->second)
+      num_bytes_ -= WeightOf(duplicate);
+    num_unknown_senders_ += static_cast<int64_t>(it->second.size()) - 1;
     candidates_.erase(it);
   }
   return messages;
@@ -59,13 +60,14 @@ std::optional<std::vector<Message>> Inbox::Take(
 
 void Inbox::Purge(int32_t tick) {
   for (auto it = candidates_.begin(); it != candidates_.end();) {
-    std::vector<Message>& twins = it->second;
-    num_strangers_ += std::erase_if(twins, [&](const Message& message) {
-      const bool is_old = message.tick < tick;
-      if (is_old) num_bytes_ -= WeightOf(message);
-      return is_old;
-    });
-    it = twins.empty() ? candidates_.erase(it) : std::next(it);
+    std::vector<Message>& duplicates = it->second;
+    num_unknown_senders_ +=
+        std::erase_if(duplicates, [&](const Message& message) {
+          const bool is_old = message.tick < tick;
+          if (is_old) num_bytes_ -= WeightOf(message);
+          return is_old;
+        });
+    it = duplicates.empty() ? candidates_.erase(it) : std::next(it);
   }
 }
 

@@ -27,11 +27,11 @@ class Inbox {
   bool is_corrupt() const { return is_corrupt_; }
 
   /// Forgets what no manifest can name any more: messages of ticks before
-  /// `tick`. Counts them as strangers.
+  /// `tick`. Counts them as unknown senders.
   void Purge(int32_t tick);
 
   /// Datagrams that no manifest named, or for which there was no room.
-  int64_t num_strangers() const { return num_strangers_; }
+  int64_t num_unknown_senders() const { return num_unknown_senders_; }
 
  private:
   /// Enough for any honest tick; a forger cannot make it grow further.
@@ -42,7 +42,7 @@ class Inbox {
   std::optional<MessageId> missing_;
   bool is_corrupt_ = false;
   size_t num_bytes_ = 0;
-  int64_t num_strangers_ = 0;
+  int64_t num_unknown_senders_ = 0;
 };
 
 }  // namespace cell

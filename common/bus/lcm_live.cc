@@ -63,7 +63,8 @@ class LcmLive {
       main_.Drain();
       tick = SkipTo(TickNow(), tick);
       node_.Step(tick);
-      if (tick / kHealthPeriod != last_health_ / kHealthPeriod) SayHealth(tick);
+      if (tick / kHealthPeriod != last_health_ / kHealthPeriod)
+        PublishHealth(tick);
       ++tick;
     }
   }
@@ -97,7 +98,7 @@ class LcmLive {
     message ? node_.Put(*message) : void(++num_short_);
   }
 
-  void SayHealth(int32_t tick) {
+  void PublishHealth(int32_t tick) {
     last_health_ = tick;
     const ProcessUsage usage = UsageOfThisProcess();
     health_t health{};
@@ -107,7 +108,8 @@ class LcmLive {
     health.cpu_us = usage.cpu_us;
     health.resident_bytes = usage.resident_bytes;
     health.num_repeats = node_.arrivals().num_repeated();
-    health.num_strangers = node_.arrivals().num_strangers() + num_short_;
+    health.num_unknown_senders =
+        node_.arrivals().num_unknown_senders() + num_short_;
     const auto add = [&](const std::string& counter, int64_t value) {
       health.counters.push_back({counter, value});
     };

@@ -49,8 +49,8 @@ class LcmNode {
     while (!stop && !node_.is_done()) {
       hooks.on_alive();
       const auto now = steady_clock::now();
-      if (!node_.has_joined()) SayHello(now);
-      SayHealth(now);
+      if (!node_.has_joined()) PublishHello(now);
+      PublishHealth(now);
       WaitForAny({&main_}, 20);
       main_.Drain();
       bool has_advanced = false;
@@ -80,13 +80,13 @@ class LcmNode {
     }
   }
 
-  void SayHello(steady_clock::time_point now) {
+  void PublishHello(steady_clock::time_point now) {
     if (now - last_hello_ < kHelloPeriod) return;
     last_hello_ = now;
     control_.Publish(kHelloChannel, Bus::Encode(node_.Hello()));
   }
 
-  void SayHealth(steady_clock::time_point now) {
+  void PublishHealth(steady_clock::time_point now) {
     if (now - last_health_ < kHealthPeriod) return;
     last_health_ = now;
     const ProcessUsage usage = UsageOfThisProcess();
@@ -97,7 +97,7 @@ class LcmNode {
     health.cpu_us = usage.cpu_us;
     health.resident_bytes = usage.resident_bytes;
     health.num_repeats = node_.num_repeats();
-    health.num_strangers = node_.num_strangers();
+    health.num_unknown_senders = node_.num_unknown_senders();
     control_.Publish(kHealthChannel, Bus::Encode(health));
   }
 

@@ -14,7 +14,7 @@ namespace cell {
 /// Runs one service over LCM in lockstep until the clock's last tick or until
 /// `stop` is set.
 /// @throws BusError when a message is lost or corrupt, or when another cell or
-/// another life of the service is heard.
+/// another incarnation of the service is heard.
 void RunLcmNode(const LcmAddress& address, const Roster& roster,
                 const std::string& name, const ServiceFactory& factory,
                 const ProcessHooks& hooks, const std::atomic<bool>& stop);

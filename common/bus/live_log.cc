@@ -65,10 +65,10 @@ LiveLog LiveLog::Load(const std::filesystem::path& run_dir) {
 LiveLog LiveLog::Load(const std::vector<std::filesystem::path>& logs) {
   LiveLog live;
   for (const auto& log : logs) live.Read(log);
-  if (live.lives_.empty()) {
+  if (live.incarnations_.empty()) {
     throw std::runtime_error(logs.front().string() + ": holds no STEP");
   }
-  for (auto& [sender, steps] : live.lives_) {
+  for (auto& [sender, steps] : live.incarnations_) {
     std::sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
       return a.header.seq < b.header.seq;
     });
@@ -83,47 +83,50 @@ void LiveLog::Read(const std::filesystem::path& log) {
     const auto message =
         MessageFromWire(event->channel, std::move(event->bytes));
     if (!message) continue;  // another program's, e.g. LCM_SELF_TEST
-    auto& twins = messages_[{message->channel, message->sender, message->seq}];
+    auto& duplicates =
+        messages_[{message->channel, message->sender, message->seq}];
     const bool is_known = std::any_of(
-        twins.begin(), twins.end(),
-        [&](const Message& twin) { return twin.digest == message->digest; });
+        duplicates.begin(), duplicates.end(), [&](const Message& duplicate) {
+          return duplicate.digest == message->digest;
+        });
     if (is_known) continue;
-    twins.push_back(*message);
+    duplicates.push_back(*message);
     if (message->channel != kStepChannel) continue;
     auto step = Decode<step_t>(*message);
     if (step && IsSoundStep(*step)) {
-      lives_[message->sender].push_back(*std::move(step));
+      incarnations_[message->sender].push_back(*std::move(step));
     }
   }
-  for (const auto& damage : reader.damages()) {
-    damages_.push_back(fmt::format("{}: {} bytes from byte {} on are damaged",
-                                   log.string(), damage.length, damage.offset));
+  for (const auto& damage : reader.corrupt_ranges()) {
+    corrupt_ranges_.push_back(
+        fmt::format("{}: {} bytes from byte {} on are damaged", log.string(),
+                    damage.length, damage.offset));
   }
 }
 
 const Message* LiveLog::Find(const MessageId& id) const {
   const auto it = messages_.find({id.channel, id.sender, id.seq});
   if (it == messages_.end()) return nullptr;
-  for (const Message& twin : it->second) {
-    if (twin.digest == id.digest) return &twin;
+  for (const Message& duplicate : it->second) {
+    if (duplicate.digest == id.digest) return &duplicate;
   }
   return nullptr;
 }
 
 std::vector<const Message*> LiveLog::SaidBy(int32_t sender) const {
   std::vector<const Message*> said;
-  for (const auto& [id, twins] : messages_) {
+  for (const auto& [id, duplicates] : messages_) {
     const auto& [channel, of, seq] = id;
     if (of != sender || channel == kStepChannel || IsCommand(channel)) continue;
-    for (const Message& twin : twins) said.push_back(&twin);
+    for (const Message& duplicate : duplicates) said.push_back(&duplicate);
   }
   return said;
 }
 
 std::vector<const Message*> LiveLog::InOrder() const {
   std::vector<const Message*> messages;
-  for (const auto& [id, twins] : messages_) {
-    for (const Message& twin : twins) messages.push_back(&twin);
+  for (const auto& [id, duplicates] : messages_) {
+    for (const Message& duplicate : duplicates) messages.push_back(&duplicate);
   }
   std::sort(
       messages.begin(), messages.end(),
@@ -132,9 +135,9 @@ std::vector<const Message*> LiveLog::InOrder() const {
 }
 
 std::vector<std::string> LiveLog::Problems(const Roster& roster) const {
-  std::vector<std::string> problems = damages_;
+  std::vector<std::string> problems = corrupt_ranges_;
   std::map<std::pair<std::string, int32_t>, std::set<int32_t>> recorded;
-  for (const auto& [id, twins] : messages_) {
+  for (const auto& [id, duplicates] : messages_) {
     const auto& [channel, sender, seq] = id;
     if (static_cast<size_t>(BaseOf(sender)) < roster.entries.size()) {
       recorded[{channel, sender}].insert(seq);
@@ -147,7 +150,7 @@ std::vector<std::string> LiveLog::Problems(const Roster& roster) const {
                                      NameOf(flow.second, roster), gap));
     }
   }
-  for (const auto& [life, steps] : lives_) {
+  for (const auto& [incarnation, steps] : incarnations_) {
     std::map<std::pair<std::string, int32_t>, std::set<int32_t>> given;
     for (const step_t& step : steps) {
       for (const MessageId& id : MessagesIn(step.flows)) {
@@ -156,9 +159,10 @@ std::vector<std::string> LiveLog::Problems(const Roster& roster) const {
     }
     for (const auto& [flow, seqs] : given) {
       for (const std::string& gap : GapsIn(seqs)) {
-        problems.push_back(fmt::format(
-            "{} did not get {} sender {} ({}) seq {}", NameOf(life, roster),
-            flow.first, flow.second, NameOf(flow.second, roster), gap));
+        problems.push_back(
+            fmt::format("{} did not get {} sender {} ({}) seq {}",
+                        NameOf(incarnation, roster), flow.first, flow.second,
+                        NameOf(flow.second, roster), gap));
       }
     }
   }
@@ -167,7 +171,7 @@ std::vector<std::string> LiveLog::Problems(const Roster& roster) const {
 
 std::vector<std::string> LiveLog::LateMessages(const Roster& roster) const {
   std::vector<std::string> late;
-  for (const auto& [life, steps] : lives_) {
+  for (const auto& [incarnation, steps] : incarnations_) {
     for (const step_t& step : steps) {
       for (const MessageId& id : MessagesIn(step.flows)) {
         const Message* message = Find(id);
@@ -175,9 +179,9 @@ std::vector<std::string> LiveLog::LateMessages(const Roster& roster) const {
         const int32_t delay = TicksLate(*message, step.header.tick);
         if (delay <= 0) continue;
         late.push_back(fmt::format("tick {}: {} got {} {} {} late",
-                                   step.header.tick, NameOf(life, roster),
-                                   ToString(id), delay,
-                                   delay == 1 ? "tick" : "ticks"));
+                                   step.header.tick,
+                                   NameOf(incarnation, roster), ToString(id),
+                                   delay, delay == 1 ? "tick" : "ticks"));
       }
     }
   }

@@ -26,8 +26,10 @@ class LiveLog {
   /// one in lockstep.
   static bool IsLive(const std::vector<std::filesystem::path>& logs);
 
-  /// The steps of each life, by its sender id, in order of seq.
-  const std::map<int32_t, std::vector<step_t>>& lives() const { return lives_; }
+  /// The steps of each incarnation, by its sender id, in order of seq.
+  const std::map<int32_t, std::vector<step_t>>& incarnations() const {
+    return incarnations_;
+  }
 
   /// The message that the journal names, or nullptr.
   const Message* Find(const MessageId& id) const;
@@ -52,9 +54,9 @@ class LiveLog {
 
   void Read(const std::filesystem::path& log);
 
-  std::map<Id, std::vector<Message>> messages_;  // twins: one is forged
-  std::map<int32_t, std::vector<step_t>> lives_;
-  std::vector<std::string> damages_;
+  std::map<Id, std::vector<Message>> messages_;  // duplicates: one is forged
+  std::map<int32_t, std::vector<step_t>> incarnations_;
+  std::vector<std::string> corrupt_ranges_;
 };
 
 }  // namespace cell

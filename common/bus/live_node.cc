@@ -50,11 +50,13 @@ Stepper::Params LiveStepperParams(const Roster& roster, size_t index,
 }
 
 // A service that takes every channel, a recorder, would journal the journals.
-LiveNode::LiveNode(const Roster& roster, const std::string& name, int32_t life,
-                   const ServiceFactory& factory, Send send)
+LiveNode::LiveNode(const Roster& roster, const std::string& name,
+                   int32_t incarnation, const ServiceFactory& factory,
+                   Send send)
     : send_(std::move(send)),
-      stepper_(LiveStepperParams(roster, roster.RequireIndexOf(name),
-                                 SenderOf(roster.RequireIndexOf(name), life))),
+      stepper_(LiveStepperParams(
+          roster, roster.RequireIndexOf(name),
+          SenderOf(roster.RequireIndexOf(name), incarnation))),
       service_(factory(stepper_)),
       arrivals_(roster.entries.size()),
       is_journaled_(!stepper_.Wants(kStepChannel)) {}

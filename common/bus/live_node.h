@@ -23,8 +23,8 @@ class LiveNode {
  public:
   using Send = std::function<void(const Message&)>;
 
-  /// `life` counts the starts of the service from 0; must never repeat.
-  LiveNode(const Roster& roster, const std::string& name, int32_t life,
+  /// `incarnation` counts the starts of the service from 0; must never repeat.
+  LiveNode(const Roster& roster, const std::string& name, int32_t incarnation,
            const ServiceFactory& factory, Send send);
 
   bool Wants(const std::string& channel) const {

@@ -36,7 +36,7 @@ class LifeReplay {
   }
 
  private:
-  // False if the life can be followed no further.
+  // False if the incarnation can be followed no further.
   bool Take(const step_t& step, LiveReplayResult* result) {
     std::vector<Message> inputs;
     for (const MessageId& id : MessagesIn(step.flows)) {
@@ -96,9 +96,9 @@ LiveReplayResult ReplayLive(const LiveLog& log, const Roster& roster,
                             const ServiceFactory& factory) {
   const size_t index = roster.RequireIndexOf(service);
   LiveReplayResult result;
-  for (const auto& [sender, steps] : log.lives()) {
+  for (const auto& [sender, steps] : log.incarnations()) {
     if (static_cast<size_t>(BaseOf(sender)) != index) continue;
-    ++result.num_lives;
+    ++result.num_incarnations;
     if (steps.front().header.seq != 0) {
       result.skipped.push_back(
           fmt::format("sender {} had started before the log begins", sender));

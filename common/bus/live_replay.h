@@ -14,19 +14,20 @@ namespace cell {
 /// What became of the replay of one service of a live cell.
 struct LiveReplayResult {
   int64_t num_messages = 0;  ///< recomputed and found equal
-  int num_lives = 0;         ///< in the log
+  int num_incarnations = 0;  ///< in the log
   /// First thing that differs, with tick and channel.
   std::optional<std::string> difference;
-  /// What the log lacks, so that the rest of a life cannot be recomputed.
+  /// What the log lacks, so that the rest of a incarnation cannot be
+  /// recomputed.
   std::vector<std::string> gaps;
   int64_t num_unrecorded = 0;  ///< recomputed, but the log lacks them
   /// Lives that began before the log: nobody knows their state.
   std::vector<std::string> skipped;
 };
 
-/// Gives each life of a service, step by step, what the journal says it was
-/// given, and compares every message that it publishes with the one in the log,
-/// byte for byte.
+/// Gives each incarnation of a service, step by step, what the journal says it
+/// was given, and compares every message that it publishes with the one in the
+/// log, byte for byte.
 LiveReplayResult ReplayLive(const LiveLog& log, const Roster& roster,
                             const std::string& service,
                             const ServiceFactory& factory);

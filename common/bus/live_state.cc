@@ -21,7 +21,7 @@ namespace {
                   path.string(), what, std::strerror(errno)));
 }
 
-// Holds the folder's lock while it lives.
+// Holds the folder's lock while it incarnations.
 class Lock {
  public:
   explicit Lock(const std::filesystem::path& path)
@@ -74,14 +74,15 @@ int64_t LiveState::Epoch(int64_t now_us) const {
 int32_t LiveState::NextLife(const std::string& service) const {
   const Lock lock(dir_ / "lock");
   const std::filesystem::path path = dir_ / (service + ".starts");
-  int32_t life = 0;
-  if (std::ifstream file(path); file && (!(file >> life) || life < 0)) {
+  int32_t incarnation = 0;
+  if (std::ifstream file(path);
+      file && (!(file >> incarnation) || incarnation < 0)) {
     throw std::runtime_error(path.string() +
                              ": holds no count of starts; remove it only if no "
                              "log of this cell is to be replayed any more");
   }
-  Replace(path, fmt::format("{}\n", life + 1));
-  return life;
+  Replace(path, fmt::format("{}\n", incarnation + 1));
+  return incarnation;
 }
 
 void LiveState::Forget() const {

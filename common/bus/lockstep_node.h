@@ -27,7 +27,7 @@ class LockstepNode {
     std::function<void(const ack_t&)> send_ack;
   };
 
-  /// `nonce` tells this life from others; must not repeat.
+  /// `nonce` tells this incarnation from others; must not repeat.
   LockstepNode(const Roster& roster, const std::string& name, int64_t nonce,
                const ServiceFactory& factory, Link link);
 
@@ -40,7 +40,8 @@ class LockstepNode {
 
   void PutData(Message message);
 
-  /// @throws BusError if another cell or another life of this name is heard.
+  /// @throws BusError if another cell or another incarnation of this name is
+  /// heard.
   void PutTick(const tick_t& tick);
 
   /// Handles the next tick if all it needs is there; false if not.
@@ -54,7 +55,7 @@ class LockstepNode {
 
   int32_t tick() const { return next_tick_ - 1; }
   int64_t num_repeats() const { return num_repeats_; }
-  int64_t num_strangers() const { return inbox_.num_strangers(); }
+  int64_t num_unknown_senders() const { return inbox_.num_unknown_senders(); }
   int32_t sender() const { return sender_; }
 
  private:

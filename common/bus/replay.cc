@@ -87,23 +87,26 @@ class Comparison {
   ReplayResult result_;
 };
 
-// One life of the service: from its join tick to the tick before its death.
-struct Life {
+// One incarnation of the service: from its join tick to the tick before its
+// death.
+struct Incarnation {
   int32_t join_tick;
   int32_t end_tick;  // first tick that it does not handle
   int32_t sender;
 };
 
-std::vector<Life> LivesOf(const RunLog& log, const std::string& service) {
-  std::vector<Life> lives;
+std::vector<Incarnation> LivesOf(const RunLog& log,
+                                 const std::string& service) {
+  std::vector<Incarnation> incarnations;
   for (const auto& [k, tick] : log.ticks()) {
     for (const joined_t& joined : tick.manifest.joined) {
       if (joined.name != service) continue;
-      if (!lives.empty()) lives.back().end_tick = joined.death_tick;
-      lives.push_back({k, log.ticks().rbegin()->first, joined.sender});
+      if (!incarnations.empty())
+        incarnations.back().end_tick = joined.death_tick;
+      incarnations.push_back({k, log.ticks().rbegin()->first, joined.sender});
     }
   }
-  return lives;
+  return incarnations;
 }
 
 ReplayResult ReplayClock(const RunLog& log, const Roster& roster,
@@ -142,17 +145,17 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
   const size_t index = roster.RequireIndexOf(service);
   if (index == 0) return ReplayClock(log, roster, factory);
   Comparison comparison(log);
-  for (const Life& life : LivesOf(log, service)) {
-    Stepper stepper(StepperParams(roster, index, life.sender));
+  for (const Incarnation& incarnation : LivesOf(log, service)) {
+    Stepper stepper(StepperParams(roster, index, incarnation.sender));
     const std::unique_ptr<Service> object = factory(stepper);
-    for (int32_t k = life.join_tick; k < life.end_tick; ++k) {
+    for (int32_t k = incarnation.join_tick; k < incarnation.end_tick; ++k) {
       const auto it = log.ticks().find(k);
       if (it == log.ticks().end()) {
         comparison.EndAtGap(k - 1);
         return comparison.result();
       }
       std::vector<Message> inputs;
-      if (k > life.join_tick) inputs = InputsOf(log, it->second);
+      if (k > incarnation.join_tick) inputs = InputsOf(log, it->second);
       std::erase_if(inputs, [&](const Message& message) {
         return !stepper.Wants(message.channel);
       });
@@ -162,7 +165,7 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
       if (stepper.Accept(k, std::move(inputs)) == Stepper::State::kReady) {
         comparison.Add(stepper.Run());
       }
-      comparison.Check(k, life.sender);
+      comparison.Check(k, incarnation.sender);
       if (comparison.result().difference) return comparison.result();
     }
   }

@@ -27,7 +27,7 @@ struct Roster {
   /// Of those who may speak, whether they take part in this run or another.
   size_t NumListed() const { return entries.size() + absent.size(); }
 
-  /// @throws ConfigError, also for twin names and an empty roster.
+  /// @throws ConfigError, also for duplicate names and an empty roster.
   static Roster FromConfig(const Config& config);
 
   std::optional<size_t> IndexOf(const std::string& name) const;
@@ -38,8 +38,8 @@ struct Roster {
 inline constexpr int32_t kMaxServices = 1000;
 
 /// A life's sender id.
-constexpr int32_t SenderOf(size_t index, int32_t life) {
-  return static_cast<int32_t>(index) + kMaxServices * life;
+constexpr int32_t SenderOf(size_t index, int32_t incarnation) {
+  return static_cast<int32_t>(index) + kMaxServices * incarnation;
 }
 
 /// The index in the roster of the sender.

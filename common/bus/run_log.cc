@@ -114,7 +114,7 @@ void RunLog::Read(const std::filesystem::path& log) {
       tick.has_manifest = true;
     }
   }
-  for (const auto& damage : reader.damages()) {
+  for (const auto& damage : reader.corrupt_ranges()) {
     problems_.push_back(fmt::format("{}: {} bytes from byte {} on are damaged",
                                     log.string(), damage.length,
                                     damage.offset));

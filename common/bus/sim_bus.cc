@@ -23,8 +23,8 @@ const ServiceFactory& FactoryOf(
 
 // The one run of a SimBus and its lives need no names that differ by chance.
 constexpr int64_t kRun = 1;
-int64_t NonceOf(size_t index, int32_t life) {
-  return SenderOf(index, life) + 1;
+int64_t NonceOf(size_t index, int32_t incarnation) {
+  return SenderOf(index, incarnation) + 1;
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ SimBus::SimBus(const Roster& roster,
       commands_(std::move(commands)),
       host_(roster_, FactoryOf(factories_, roster_.entries[0].name)),
       clock_(roster_, kRun),
-      seats_(roster_.entries.size()) {
+      slots_(roster_.entries.size()) {
   for (const Outage& outage : outages) Add(outage);
-  for (size_t i = 1; i < seats_.size(); ++i) {
+  for (size_t i = 1; i < slots_.size(); ++i) {
     NewLife(i, 0);
   }
 }
@@ -82,14 +82,14 @@ bool SimBus::Step() {
   std::vector<Message> messages =
       host_.Tick(tick, std::move(inputs), CommandsOf(tick));
   last_tick_ = clock_.Advance(messages, host_.IsLast(tick));
-  for (size_t i = 1; i < seats_.size(); ++i) {
-    if (seats_[i].is_silent) clock_.Mourn(i);
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (slots_[i].is_silent) clock_.MarkDead(i);
   }
   messages.insert(messages.end(), std::make_move_iterator(published_.begin()),
                   std::make_move_iterator(published_.end()));
   published_.clear();
   last_messages_ = std::move(messages);
-  for (size_t i = 1; i < seats_.size(); ++i) {
+  for (size_t i = 1; i < slots_.size(); ++i) {
     Handle(i, last_tick_, last_messages_);
   }
   return true;
@@ -100,76 +100,76 @@ void SimBus::BeginOutagesAndLives(int32_t tick) {
     const size_t index = *roster_.IndexOf(outage.service);
     // Outputs of an activation that death cut short are void.
     if (tick == outage.death_tick) {
-      seats_[index].is_silent = true;
-      seats_[index].pending.clear();
+      slots_[index].is_silent = true;
+      slots_[index].pending.clear();
     }
     if (tick == outage.join_tick) NewLife(index, tick);
   }
 }
 
 void SimBus::NewLife(size_t index, int32_t tick) {
-  Seat& seat = seats_[index];
+  Slot& slot = slots_[index];
   const Roster::Entry& entry = roster_.entries[index];
-  const int32_t life = seat.life + 1;
-  seat = Seat{};
-  seat.life = life;
-  seat.join_tick = tick;
-  seat.stepper = std::make_unique<Stepper>(
-      StepperParams(roster_, index, SenderOf(index, life)));
-  seat.service = FactoryOf(factories_, entry.name)(*seat.stepper);
+  const int32_t incarnation = slot.incarnation + 1;
+  slot = Slot{};
+  slot.incarnation = incarnation;
+  slot.join_tick = tick;
+  slot.stepper = std::make_unique<Stepper>(
+      StepperParams(roster_, index, SenderOf(index, incarnation)));
+  slot.service = FactoryOf(factories_, entry.name)(*slot.stepper);
   hello_t hello{};
   hello.name = entry.name;
-  hello.nonce = NonceOf(index, life);
+  hello.nonce = NonceOf(index, incarnation);
   hello.types_digest = kTypesDigest;
   clock_.Hello(hello);
 }
 
 void SimBus::Handle(size_t index, const tick_t& tick,
                     const std::vector<Message>& messages) {
-  Seat& seat = seats_[index];
-  if (seat.is_silent) return;
+  Slot& slot = slots_[index];
+  if (slot.is_silent) return;
   std::vector<Message> inputs;
-  if (tick.header.tick != seat.join_tick) {
+  if (tick.header.tick != slot.join_tick) {
     for (const Message& message : messages) {
-      if (seat.stepper->Wants(message.channel)) inputs.push_back(message);
+      if (slot.stepper->Wants(message.channel)) inputs.push_back(message);
     }
   }
-  if (seat.stepper->Wants(kTickChannel)) inputs.push_back(TickMessage(tick));
+  if (slot.stepper->Wants(kTickChannel)) inputs.push_back(TickMessage(tick));
 
   const int32_t k = tick.header.tick;
-  switch (seat.stepper->Accept(k, std::move(inputs))) {
+  switch (slot.stepper->Accept(k, std::move(inputs))) {
     case Stepper::State::kWaiting:
       break;
     case Stepper::State::kIdle:
       clock_.Ack(NewAck(index, k));
       return;
     case Stepper::State::kReady:
-      seat.pending = seat.stepper->Run();
-      seat.until = seat.stepper->until();
-      if (k < seat.until) {
+      slot.pending = slot.stepper->Run();
+      slot.until = slot.stepper->until();
+      if (k < slot.until) {
         ack_t busy = NewAck(index, k);
         busy.is_busy = 1;
-        busy.until = seat.until;
+        busy.until = slot.until;
         clock_.Ack(busy);
       }
   }
-  if (k < seat.until) return;
+  if (k < slot.until) return;
   ack_t done = NewAck(index, k);
-  done.flows = FlowsOf(seat.pending);
+  done.flows = FlowsOf(slot.pending);
   done.num_flows = static_cast<int32_t>(done.flows.size());
   clock_.Ack(done);
   published_.insert(published_.end(),
-                    std::make_move_iterator(seat.pending.begin()),
-                    std::make_move_iterator(seat.pending.end()));
-  seat.pending.clear();
+                    std::make_move_iterator(slot.pending.begin()),
+                    std::make_move_iterator(slot.pending.end()));
+  slot.pending.clear();
 }
 
 ack_t SimBus::NewAck(size_t index, int32_t tick) const {
   ack_t ack{};
   ack.header.tick = ack.until = tick;
-  ack.header.sender = SenderOf(index, seats_[index].life);
+  ack.header.sender = SenderOf(index, slots_[index].incarnation);
   ack.run = kRun;
-  ack.nonce = NonceOf(index, seats_[index].life);
+  ack.nonce = NonceOf(index, slots_[index].incarnation);
   return ack;
 }
 

@@ -19,8 +19,8 @@ namespace cell {
 /// messages, manifests and digests as the same services over LCM.
 class SimBus {
  public:
-  /// A service that does not answer from `death_tick` on; its next life begins
-  /// at `join_tick` >= death_tick.
+  /// A service that does not answer from `death_tick` on; its next incarnation
+  /// begins at `join_tick` >= death_tick.
   struct Outage {
     std::string service;
     int32_t death_tick = 0;
@@ -52,8 +52,8 @@ class SimBus {
   const std::vector<Message>& last_messages() const { return last_messages_; }
 
  private:
-  struct Seat {
-    int32_t life = -1;
+  struct Slot {
+    int32_t incarnation = -1;
     bool is_silent = false;  // in an outage
     int32_t join_tick = 0;
     std::unique_ptr<Stepper> stepper;  // before its service: outlives it
@@ -76,7 +76,7 @@ class SimBus {
   std::vector<TimedCommand> commands_;
   ClockHost host_;
   Clock clock_;
-  std::vector<Seat> seats_;  // by roster index; the clock's own is unused
+  std::vector<Slot> slots_;  // by roster index; the clock's own is unused
   std::vector<Message> published_;  // by services in the tick before
   tick_t last_tick_{};
   std::vector<Message> last_messages_;

@@ -69,7 +69,7 @@ class Stepper final : public Bus {
     return num_rejected_;
   }
   const Params& params() const { return params_; }
-  /// Before the first Accept(): the id that the clock gave this life.
+  /// Before the first Accept(): the id that the clock gave this incarnation.
   void set_sender(int32_t sender) { params_.sender = sender; }
 
  private:
@@ -108,7 +108,7 @@ class Stepper final : public Bus {
   std::optional<int32_t> end_tick_;
 };
 
-/// For a life of the roster's service at `index`.
+/// For a incarnation of the roster's service at `index`.
 inline Stepper::Params StepperParams(const Roster& roster, size_t index,
                                      int32_t sender) {
   const Roster::Entry& entry = roster.entries[index];

@@ -16,7 +16,7 @@ struct TruthPoses {
   std::map<std::string, Eigen::Isometry3d> poses;  ///< X_WB of bodies
 };
 
-/// Nothing if there are too many bodies, twins, or a pose that is none.
+/// Nothing if there are too many bodies, duplicates, or a pose that is none.
 std::optional<TruthPoses> TruthFromMessage(const truth_poses_t& message);
 
 }  // namespace cell

@@ -22,7 +22,7 @@ void RunLockstep(const ServiceArguments& arguments, const Roster& roster,
                  const LcmClockOptions& options) {
   const LcmClockSummary summary =
       RunLcmClock(arguments.address.Get(), roster, factory, options,
-                  TellServiceManager(), StopOnSignals());
+                  ReportToServiceManager(), StopOnSignals());
   std::cerr << fmt::format(
       "{}: {} ticks in {:.3f} s, {} TICKs repeated, {} late, {} refused\n",
       name, summary.num_ticks, summary.elapsed_s, summary.num_repeats,
@@ -68,7 +68,8 @@ int RunClock(const std::string& name, int argc, char** argv,
     };
     if (arguments.is_live) {
       RunLcmLive(arguments.address.Get(), files.roster, name, factory,
-                 arguments.StateDir(), TellServiceManager(), StopOnSignals());
+                 arguments.StateDir(), ReportToServiceManager(),
+                 StopOnSignals());
     } else {
       LcmClockOptions options{.is_realtime = pace == "realtime"};
       if (giveup_s > 0) options.giveup_s = giveup_s;

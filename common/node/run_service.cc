@@ -26,7 +26,7 @@ int Follow(const ServiceArguments& arguments, const Roster& roster,
            const std::string& name, const ServiceFactory& factory) {
   const FollowSummary summary =
       RunLcmFollow(arguments.address.Get(), roster, name, factory,
-                   TellServiceManager(), StopOnSignals());
+                   ReportToServiceManager(), StopOnSignals());
   std::cerr << fmt::format("{}: followed {} ticks, {} messages as in the log\n",
                            name, summary.num_ticks, summary.num_equal);
   if (!summary.difference) return 0;
@@ -70,10 +70,11 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
     if (is_follower) return Follow(arguments, files.roster, name, factory);
     if (arguments.is_live) {
       RunLcmLive(arguments.address.Get(), files.roster, name, factory,
-                 arguments.StateDir(), TellServiceManager(), StopOnSignals());
+                 arguments.StateDir(), ReportToServiceManager(),
+                 StopOnSignals());
     } else {
       RunLcmNode(arguments.address.Get(), files.roster, name, factory,
-                 TellServiceManager(), StopOnSignals());
+                 ReportToServiceManager(), StopOnSignals());
     }
     return 0;
   });

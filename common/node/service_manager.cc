@@ -7,7 +7,7 @@
 
 namespace cell {
 
-ProcessHooks TellServiceManager() {
+ProcessHooks ReportToServiceManager() {
   using std::chrono::steady_clock;
   ProcessHooks hooks;
   hooks.on_ready = [] {

@@ -8,7 +8,7 @@ namespace cell {
 
 /// Tells systemd, if it has started this process, that it is ready, and as
 /// often as the unit's WatchdogSec wants that it is alive.
-ProcessHooks TellServiceManager();
+ProcessHooks ReportToServiceManager();
 
 /// Tells systemd, if it has started this process, why it ends.
 void TellServiceManagerWhy(const std::string& reason);

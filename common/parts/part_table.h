@@ -66,7 +66,7 @@ struct Part {
 class PartTable {
  public:
   /// @throws ConfigError naming file:key for unknown or missing keys and for
-  /// impossible parts (no volume, not convex, unknown type, twin names).
+  /// impossible parts (no volume, not convex, unknown type, duplicate names).
   static PartTable FromConfig(const Config& config);
 
   const std::vector<Part>& parts() const { return parts_; }

@@ -6,9 +6,9 @@
 
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
-#include "common/relational/vocabulary.h"
+#include "common/predicates/clearance_column.h"
 #include "common/predicates/seat.h"
-#include "common/predicates/way.h"
+#include "common/relational/vocabulary.h"
 
 namespace cell {
 

@@ -13,8 +13,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 // What somebody in the way means, if his pose is only the last one seen.
-Truth FalseIfSeen(Sight sight) {
-  return sight == Sight::kSeen ? Truth::kFalse : Truth::kUnknown;
+Truth FalseIfSeen(Visibility visibility) {
+  return sight == Visibility::kSeen ? Truth::kFalse : Truth::kUnknown;
 }
 
 Truth FromBool(bool value) {
@@ -82,7 +82,8 @@ Truth PredicateSensor::Sense(const SeatedGeometry& seated,
   const size_t host = IndexOfPart(site.host);
   const Scene::Item& item = view.scene.items[part];
   const Scene::Item& host_item = view.scene.items[host];
-  if (item.sight != Sight::kSeen || host_item.sight != Sight::kSeen) {
+  if (item.visibility != Visibility::kSeen ||
+      host_item.visibility != Visibility::kSeen) {
     return Truth::kUnknown;
   }
   const Isometry3d X_SO = (host_item.X_WO * site.X_HS).inverse() * item.X_WO;
@@ -97,14 +98,15 @@ Truth PredicateSensor::Sense(const SeatedGeometry& seated,
 Truth PredicateSensor::Sense(const TiltedGeometry& tilted,
                              const GroundAtom& atom, const View& view) const {
   const Scene::Item& item = view.scene.items[PartOf(atom.objects[0])];
-  if (item.sight != Sight::kSeen) return Truth::kUnknown;
+  if (item.visibility != Visibility::kSeen) return Truth::kUnknown;
   return FromBool(TiltOf(item.X_WO) > tilted.over);
 }
 
 Truth PredicateSensor::Sense(const GraspableGeometry& graspable,
                              const GroundAtom& atom, const View& view) const {
   const size_t part = PartOf(atom.objects[0]);
-  if (view.scene.items[part].sight != Sight::kSeen) return Truth::kUnknown;
+  if (view.scene.items[part].visibility != Visibility::kSeen)
+    return Truth::kUnknown;
   if (view.IsCarried(part)) return Truth::kTrue;
   if (!IsWithinReach(part, view)) return Truth::kFalse;
   Truth truth = Truth::kTrue;
@@ -113,7 +115,7 @@ Truth PredicateSensor::Sense(const GraspableGeometry& graspable,
         !CoversGrasps(cover, part, graspable, view)) {
       continue;
     }
-    truth = FalseIfSeen(view.scene.items[cover].sight);
+    truth = FalseIfSeen(view.scene.items[cover].visibility);
     if (truth == Truth::kFalse) break;
   }
   return truth;
@@ -128,18 +130,19 @@ Truth PredicateSensor::Sense(const FreeSpaceGeometry& space,
   const Way& way = space.ways[static_cast<size_t>(place - objects.begin())];
   const Site& site = SiteOf(atom.objects[0]);
   const size_t host = IndexOfPart(site.host);
-  if (view.scene.items[host].sight != Sight::kSeen) return Truth::kUnknown;
+  if (view.scene.items[host].visibility != Visibility::kSeen)
+    return Truth::kUnknown;
   const Isometry3d X_WS = view.scene.items[host].X_WO * site.X_HS;
   Truth truth = Truth::kTrue;
   for (size_t i = 0; i < shapes_.size(); ++i) {
     const Scene::Item& item = view.scene.items[i];
     if (i == host || view.IsCarried(i)) continue;
     const bool may_be_there =
-        item.sight == Sight::kMissing
+        item.visibility == Visibility::kMissing
             ? Fits(parts_.parts()[i], site)
             : way.IsBlockedBy(shapes_[i], item.X_WO, X_WS);
     if (!may_be_there) continue;
-    truth = FalseIfSeen(item.sight);
+    truth = FalseIfSeen(item.visibility);
     if (truth == Truth::kFalse) break;
   }
   return truth;
@@ -159,7 +162,8 @@ std::vector<size_t> PredicateSensor::PartsOver(size_t part,
   std::vector<size_t> covers;
   for (size_t i = 0; i < shapes_.size(); ++i) {
     const Scene::Item& item = view.scene.items[i];
-    if (i == part || item.sight == Sight::kMissing || view.IsCarried(i)) {
+    if (i == part || item.visibility == Visibility::kMissing ||
+        view.IsCarried(i)) {
       continue;
     }
     if (shapes_[i].LowestZ(item.X_WO) > middle) covers.push_back(i);

@@ -6,9 +6,9 @@
 
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
+#include "common/predicates/predicate_geometry.h"
 #include "common/relational/state.h"
 #include "common/relational/vocabulary.h"
-#include "common/predicates/predicate_geometry.h"
 #include "common/scene/scene.h"
 
 namespace cell {

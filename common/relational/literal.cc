@@ -226,8 +226,8 @@ bool MustHold(const Literal& literal, const Binding& binding,
          (truth == Truth::kTrue) != literal.is_negated;
 }
 
-std::vector<int> AtomsOf(const Literal& literal, const Binding& binding,
-                         const Vocabulary& vocabulary) {
+std::vector<int> Groundings(const Literal& literal, const Binding& binding,
+                            const Vocabulary& vocabulary) {
   std::vector<int> atoms;
   if (literal.is_static) return atoms;
   const Predicate& predicate = vocabulary.predicates()[literal.relation];

@@ -72,8 +72,8 @@ bool MustHold(const Literal& literal, const Binding& binding,
 
 /// The ground atoms that the predicate literal speaks of, one unless it has
 /// `_`; none if an object is of a wrong type.
-std::vector<int> AtomsOf(const Literal& literal, const Binding& binding,
-                         const Vocabulary& vocabulary);
+std::vector<int> Groundings(const Literal& literal, const Binding& binding,
+                            const Vocabulary& vocabulary);
 
 /// "not On(X, _)", as ParseLiteral() reads it.
 std::string ToText(const Literal& literal, const Vocabulary& vocabulary,

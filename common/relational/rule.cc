@@ -45,10 +45,12 @@ bool Action::MayBeDoneBy(Agent agent) const {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
 }
 
-std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
-                            const State& state, const Vocabulary& vocabulary,
-                            Agent agent) {
-  std::vector<Cover> covers;
+std::vector<ApplicableRule> ApplicableRules(const Action& action,
+                                            const Binding& arguments,
+                                            const State& state,
+                                            const Vocabulary& vocabulary,
+                                            Agent agent) {
+  std::vector<ApplicableRule> covers;
   for (size_t i = 0; i < action.rules.size(); ++i) {
     const NdrRule& rule = action.rules[i];
     if (!rule.IsFor(agent)) continue;
@@ -61,7 +63,7 @@ std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
   return covers;
 }
 
-State After(const Outcome& outcome, const Binding& binding, const State& before,
+State Apply(const Outcome& outcome, const Binding& binding, const State& before,
             const Vocabulary& vocabulary) {
   State after = before;
   ForEachEffect(
@@ -69,7 +71,7 @@ State After(const Outcome& outcome, const Binding& binding, const State& before,
       [&](const Effect& effect, const Binding& bound) {
         if (!MayHold(effect.where, bound, before, vocabulary)) return;
         for (const Literal& literal : effect.then) {
-          for (const int atom : AtomsOf(literal, bound, vocabulary)) {
+          for (const int atom : Groundings(literal, bound, vocabulary)) {
             after.Set(atom, literal.is_negated ? Truth::kFalse : Truth::kTrue);
           }
         }

@@ -74,7 +74,7 @@ struct GroundAction {
 };
 
 /// A rule that covers a state, with all its variables bound.
-struct Cover {
+struct ApplicableRule {
   int rule;
   Binding binding;
 };
@@ -83,12 +83,14 @@ struct Cover {
 /// atoms may be unknown (see MayHold). In a state that is known throughout, the
 /// action does what the rule says if there is exactly one; if not, the default
 /// rule applies: nothing changes.
-std::vector<Cover> CoversOf(const Action& action, const Binding& arguments,
-                            const State& state, const Vocabulary& vocabulary,
-                            Agent agent);
+std::vector<ApplicableRule> ApplicableRules(const Action& action,
+                                            const Binding& arguments,
+                                            const State& state,
+                                            const Vocabulary& vocabulary,
+                                            Agent agent);
 
 /// The state after the outcome. Of contradicting effects the later one counts.
-State After(const Outcome& outcome, const Binding& binding, const State& before,
+State Apply(const Outcome& outcome, const Binding& binding, const State& before,
             const Vocabulary& vocabulary);
 
 /// Calls visit(effect, binding) for every effect of the outcome and every

@@ -54,7 +54,7 @@ class Vocabulary {
   /// (optional) and `predicates` of a domain, but for their `geometry` (see
   /// ReadGeometries()); objects are the parts of `parts` and their sites
   /// besides.
-  /// @throws ConfigError naming file:key for unknown types and twin names.
+  /// @throws ConfigError naming file:key for unknown types and duplicate names.
   static Vocabulary FromConfig(const Config& domain, const PartTable& parts);
 
   const TypeHierarchy& types() const { return types_; }

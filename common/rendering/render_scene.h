@@ -13,7 +13,7 @@ namespace cell {
 /// Bodies, prepared once for rays from any camera at any poses.
 class RenderScene {
  public:
-  /// @throws std::invalid_argument for twin names and for a body without
+  /// @throws std::invalid_argument for duplicate names and for a body without
   /// triangles; std::runtime_error if the ray tracer cannot be had.
   explicit RenderScene(std::vector<RenderBody> bodies);
   ~RenderScene();

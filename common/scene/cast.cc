@@ -1,10 +1,10 @@
-#include "common/scene/cast.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+
+#include "common/scene/scene_objects.h"
 
 namespace cell {
 namespace {
@@ -17,7 +17,8 @@ std::vector<std::string> HandNames(const CellLayout& layout) {
 
 }  // namespace
 
-Cast::Cast(const PartTable& parts, std::vector<std::string> hands)
+SceneObjects::SceneObjects(const PartTable& parts,
+                           std::vector<std::string> hands)
     : hands_(std::move(hands)) {
   std::sort(hands_.begin(), hands_.end());
   for (const Part& part : parts.parts()) parts_.push_back(part.name);
@@ -25,25 +26,25 @@ Cast::Cast(const PartTable& parts, std::vector<std::string> hands)
   names_.insert(names_.end(), hands_.begin(), hands_.end());
   names_.push_back(kTable);
   std::sort(names_.begin(), names_.end());
-  const auto twin = std::adjacent_find(names_.begin(), names_.end());
-  if (twin != names_.end()) {
+  const auto duplicate = std::adjacent_find(names_.begin(), names_.end());
+  if (duplicate != names_.end()) {
     throw std::invalid_argument(
-        fmt::format("'{}' names two things in the scene", *twin));
+        fmt::format("'{}' names two things in the scene", *duplicate));
   }
 }
 
-Cast::Cast(const PartTable& parts, const CellLayout& layout)
-    : Cast(parts, HandNames(layout)) {}
+SceneObjects::SceneObjects(const PartTable& parts, const CellLayout& layout)
+    : SceneObjects(parts, HandNames(layout)) {}
 
-bool Cast::Has(const std::string& name) const {
+bool SceneObjects::Has(const std::string& name) const {
   return std::binary_search(names_.begin(), names_.end(), name);
 }
 
-bool Cast::IsHand(const std::string& name) const {
+bool SceneObjects::IsHand(const std::string& name) const {
   return std::binary_search(hands_.begin(), hands_.end(), name);
 }
 
-bool Cast::IsPart(const std::string& name) const {
+bool SceneObjects::IsPart(const std::string& name) const {
   return Has(name) && !IsHand(name) && name != kTable;
 }
 

@@ -8,15 +8,15 @@
 
 namespace cell {
 
-/// Who can appear in a scene: the parts of a task, the hands, the table. What
+/// What can appear in a scene: the parts of a task, the hands, the table. What
 /// messages call by another name is not believed.
-class Cast {
+class SceneObjects {
  public:
   static constexpr char kTable[] = "table";
 
-  /// @throws std::invalid_argument for twin names.
-  Cast(const PartTable& parts, std::vector<std::string> hands);
-  Cast(const PartTable& parts, const CellLayout& layout);
+  /// @throws std::invalid_argument for duplicate names.
+  SceneObjects(const PartTable& parts, std::vector<std::string> hands);
+  SceneObjects(const PartTable& parts, const CellLayout& layout);
 
   /// All names, sorted.
   const std::vector<std::string>& names() const { return names_; }

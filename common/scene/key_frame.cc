@@ -6,8 +6,8 @@ namespace cell {
 namespace {
 
 std::optional<TouchGraph> GraphFromMessage(const key_frame_t& message,
-                                           const Cast& cast) {
-  const auto& names = cast.names();
+                                           const SceneObjects& scene_objects) {
+  const auto& names = scene_objects.names();
   if (message.relations.size() != names.size() * (names.size() - 1) / 2) {
     return std::nullopt;
   }
@@ -29,16 +29,17 @@ std::optional<TouchGraph> GraphFromMessage(const key_frame_t& message,
 }  // namespace
 
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
-                                            const Cast& cast) {
+                                            const SceneObjects& scene_objects) {
   if (message.index < 0) return std::nullopt;
-  auto graph = GraphFromMessage(message, cast);
+  auto graph = GraphFromMessage(message, scene_objects);
   if (!graph) return std::nullopt;
   KeyFrame frame{message.header.utime, message.index, *std::move(graph), {}};
   for (const body_pose_t& body : message.poses) {
     const auto X_WO = PoseFromMessage(body.pose_world_body);
     const bool is_next =
         frame.poses.empty() || frame.poses.rbegin()->first < body.name;
-    if (!X_WO || !is_next || !cast.IsPart(body.name)) return std::nullopt;
+    if (!X_WO || !is_next || !scene_objects.IsPart(body.name))
+      return std::nullopt;
     frame.poses.emplace_hint(frame.poses.end(), body.name, *X_WO);
   }
   return frame;

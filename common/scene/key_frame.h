@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cell/key_frame_t.hpp"
-#include "common/scene/cast.h"
 #include "common/scene/relation.h"
+#include "common/scene/scene_objects.h"
 
 namespace cell {
 
@@ -16,15 +16,15 @@ namespace cell {
 struct KeyFrame {
   int64_t utime = 0;     ///< [us] when its topology was first seen
   int64_t index = 0;     ///< from 0 in each episode
-  TouchGraph relations;  ///< all pairs of the cast
+  TouchGraph relations;  ///< all pairs of the scene_objects
   /// X_WO of the parts that had a track when it was confirmed.
   std::map<std::string, Eigen::Isometry3d> poses;
 };
 
-/// Nothing unless the message has all pairs of the cast, each with a known
-/// relation, and poses of parts, both in order.
+/// Nothing unless the message has all pairs of the scene_objects, each with a
+/// known relation, and poses of parts, both in order.
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
-                                            const Cast& cast);
+                                            const SceneObjects& scene_objects);
 key_frame_t KeyFrameToMessage(const KeyFrame& frame);
 
 }  // namespace cell

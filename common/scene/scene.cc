@@ -5,34 +5,34 @@
 namespace cell {
 namespace {
 
-Sight SightOf(const Track* track) {
-  if (track == nullptr) return Sight::kMissing;
+Visibility VisibilityOf(const Track* track) {
+  if (track == nullptr) return Visibility::kMissing;
   switch (track->state) {
     case Track::State::kTracked:
-      return Sight::kSeen;
+      return Visibility::kSeen;
     case Track::State::kFrozen:
-      return Sight::kFrozen;
+      return Visibility::kFrozen;
     case Track::State::kLost:
-      return Sight::kMissing;
+      return Visibility::kMissing;
   }
-  return Sight::kMissing;
+  return Visibility::kMissing;
 }
 
 }  // namespace
 
-Scene SceneOf(const KeyFrame& frame, const Cast& cast) {
+Scene SceneOf(const KeyFrame& frame, const SceneObjects& scene_objects) {
   Scene scene;
-  for (const std::string& part : cast.parts()) {
+  for (const std::string& part : scene_objects.parts()) {
     Scene::Item& item = scene.items.emplace_back();
     const auto pose = frame.poses.find(part);
     if (pose != frame.poses.end()) {
-      item.sight = Sight::kSeen;
+      item.visibility = Visibility::kSeen;
       item.X_WO = pose->second;
     }
-    for (const std::string& hand : cast.hands()) {
+    for (const std::string& hand : scene_objects.hands()) {
       item.is_held = item.is_held || Touch(frame.relations, part, hand);
     }
-    for (const std::string& other : cast.parts()) {
+    for (const std::string& other : scene_objects.parts()) {
       item.touches.push_back(other != part &&
                              Touch(frame.relations, part, other));
     }
@@ -40,12 +40,13 @@ Scene SceneOf(const KeyFrame& frame, const Cast& cast) {
   return scene;
 }
 
-Scene SceneOf(const KeyFrame& frame, const Tracks& tracks, const Cast& cast) {
-  Scene scene = SceneOf(frame, cast);
+Scene SceneOf(const KeyFrame& frame, const Tracks& tracks,
+              const SceneObjects& scene_objects) {
+  Scene scene = SceneOf(frame, scene_objects);
   for (size_t i = 0; i < scene.items.size(); ++i) {
     Scene::Item& item = scene.items[i];
-    if (item.sight == Sight::kMissing) continue;
-    item.sight = SightOf(tracks.Find(cast.parts()[i]));
+    if (item.visibility == Visibility::kMissing) continue;
+    item.visibility = VisibilityOf(tracks.Find(scene_objects.parts()[i]));
   }
   return scene;
 }

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "common/parts/part_table.h"
-#include "common/scene/cast.h"
 #include "common/scene/key_frame.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 
 namespace cell {
 
 /// What is known of a part at an instant.
-enum class Sight {
+enum class Visibility {
   kSeen,    ///< tracked
   kFrozen,  ///< hidden; its pose is the last one seen
   kMissing  ///< nobody knows where it is
@@ -20,7 +20,7 @@ enum class Sight {
 /// What is known of the parts at an instant, by index in the part table.
 struct Scene {
   struct Item {
-    Sight sight = Sight::kMissing;
+    Visibility visibility = Visibility::kMissing;
     Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
     bool is_held = false;       ///< a hand touches it
     std::vector<bool> touches;  ///< each part
@@ -30,10 +30,11 @@ struct Scene {
 
 /// The scene at a key frame, of which each part that has a pose is taken as
 /// seen.
-Scene SceneOf(const KeyFrame& frame, const Cast& cast);
+Scene SceneOf(const KeyFrame& frame, const SceneObjects& scene_objects);
 
 /// The same, where the tracks say who is seen: without a track a part is
 /// missing.
-Scene SceneOf(const KeyFrame& frame, const Tracks& tracks, const Cast& cast);
+Scene SceneOf(const KeyFrame& frame, const Tracks& tracks,
+              const SceneObjects& scene_objects);
 
 }  // namespace cell

@@ -25,10 +25,11 @@ bool PointsFromMessage(const track_t& message,
 }
 
 std::optional<Track> TrackFromMessage(const track_t& message,
-                                      const Cast& cast) {
+                                      const SceneObjects& scene_objects) {
   const bool is_hand = message.kind == track_t::HAND;
   if (!is_hand && message.kind != track_t::PART) return std::nullopt;
-  if (is_hand ? !cast.IsHand(message.name) : !cast.IsPart(message.name)) {
+  if (is_hand ? !scene_objects.IsHand(message.name)
+              : !scene_objects.IsPart(message.name)) {
     return std::nullopt;
   }
   if (message.state < track_t::TRACKED || message.state > track_t::LOST ||
@@ -58,11 +59,11 @@ const Track* Tracks::Find(const std::string& name) const {
 }
 
 std::optional<Tracks> TracksFromMessage(const tracks_t& message,
-                                        const Cast& cast) {
-  if (message.tracks.size() > cast.names().size()) return std::nullopt;
+                                        const SceneObjects& scene_objects) {
+  if (message.tracks.size() > scene_objects.names().size()) return std::nullopt;
   Tracks tracks{message.header.utime, {}};
   for (const track_t& track_message : message.tracks) {
-    auto track = TrackFromMessage(track_message, cast);
+    auto track = TrackFromMessage(track_message, scene_objects);
     if (!track) return std::nullopt;
     if (!tracks.tracks.empty() && tracks.tracks.back().name >= track->name) {
       return std::nullopt;
@@ -72,14 +73,15 @@ std::optional<Tracks> TracksFromMessage(const tracks_t& message,
   return tracks;
 }
 
-tracks_t TracksToMessage(const Tracks& tracks, const Cast& cast) {
+tracks_t TracksToMessage(const Tracks& tracks,
+                         const SceneObjects& scene_objects) {
   tracks_t message{};
   message.header.utime = tracks.utime;
   message.num_tracks = static_cast<int32_t>(tracks.tracks.size());
   for (const Track& track : tracks.tracks) {
     track_t& t = message.tracks.emplace_back();
     t.name = track.name;
-    t.kind = cast.IsHand(track.name) ? track_t::HAND : track_t::PART;
+    t.kind = scene_objects.IsHand(track.name) ? track_t::HAND : track_t::PART;
     t.state = static_cast<int8_t>(track.state);
     t.confidence = track.confidence;
     t.pose_world_object = PoseToMessage(track.X_WO);

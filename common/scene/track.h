@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cell/tracks_t.hpp"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 
 namespace cell {
 
@@ -30,10 +30,11 @@ struct Tracks {
   const Track* Find(const std::string& name) const;
 };
 
-/// Nothing unless every track is of somebody in the cast, of the right kind, in
-/// the order of names, with a known state and finite numbers.
+/// Nothing unless every track is of somebody in the scene_objects, of the right
+/// kind, in the order of names, with a known state and finite numbers.
 std::optional<Tracks> TracksFromMessage(const tracks_t& message,
-                                        const Cast& cast);
-tracks_t TracksToMessage(const Tracks& tracks, const Cast& cast);
+                                        const SceneObjects& scene_objects);
+tracks_t TracksToMessage(const Tracks& tracks,
+                         const SceneObjects& scene_objects);
 
 }  // namespace cell

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 
 namespace cell {
 namespace {
@@ -31,7 +31,7 @@ class Reader {
     for (size_t i = 0; i < arguments_.size(); ++i) {
       if (arguments_[i].name == name) return i;
     }
-    if (name != Cast::kTable && !parts_.Find(name)) {
+    if (name != SceneObjects::kTable && !parts_.Find(name)) {
       config.Fail("'" + name + "' is no argument, part or table");
     }
     return name;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/relational/state.h"
-#include "common/sec/event_chain.h"
 #include "common/scene/key_frame.h"
+#include "common/sec/event_chain.h"
 
 namespace cell {
 

@@ -38,7 +38,7 @@ Task LoadTask(const Deployment& deployment) {
   const Domain domain = Domain::FromConfig(domain_config, parts);
   Task task{parts,
             layout,
-            Cast(parts, layout),
+            SceneObjects(parts, layout),
             domain,
             ReadGeometries(domain_config, domain.vocabulary(), parts),
             ReadActions(domain_config, domain, parts)};

@@ -7,9 +7,9 @@
 #include "common/config/deployment.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
-#include "common/relational/domain.h"
-#include "common/scene/cast.h"
 #include "common/predicates/predicate_sensor.h"
+#include "common/relational/domain.h"
+#include "common/scene/scene_objects.h"
 
 namespace cell {
 
@@ -19,7 +19,7 @@ namespace cell {
 struct Task {
   PartTable parts;
   CellLayout layout;
-  Cast cast;
+  SceneObjects scene_objects;
   Domain domain;                              ///< with the actions of `actions`
   std::vector<PredicateGeometry> geometries;  ///< of the domain's predicates
   std::vector<ActionModel> actions;           ///< in the domain's order

@@ -38,7 +38,7 @@ bool Needs(const StateSpace& space, const GroundAction& action, int atom,
           });
       if (literal.is_static || !is_bound) continue;
       if (literal.is_negated != (truth == Truth::kFalse)) continue;
-      const auto atoms = AtomsOf(literal, action.arguments, vocabulary);
+      const auto atoms = Groundings(literal, action.arguments, vocabulary);
       if (std::count(atoms.begin(), atoms.end(), atom) > 0) return true;
     }
   }

@@ -9,8 +9,8 @@ std::optional<State> MostLikelyOutcome(const RuleSet& rules,
                                        const State& state) {
   const Action& lifted = rules.ActionOf(action);
   const State known = state.UnknownAsFalse();
-  const auto covers = CoversOf(lifted, action.arguments, known,
-                               rules.vocabulary(), Agent::kRobot);
+  const auto covers = ApplicableRules(lifted, action.arguments, known,
+                                      rules.vocabulary(), Agent::kRobot);
   if (covers.size() != 1) return std::nullopt;
   const auto& outcomes = lifted.rules[covers[0].rule].outcomes;
   const auto likeliest = std::max_element(
@@ -18,21 +18,23 @@ std::optional<State> MostLikelyOutcome(const RuleSet& rules,
         return a.probability < b.probability;
       });
   if (likeliest == outcomes.end()) return std::nullopt;
-  return After(*likeliest, covers[0].binding, known, rules.vocabulary());
+  return Apply(*likeliest, covers[0].binding, known, rules.vocabulary());
 }
 
 bool IsSurelyPossible(const RuleSet& rules, const GroundAction& action,
                       const State& state) {
   const Action& lifted = rules.ActionOf(action);
   const Vocabulary& vocabulary = rules.vocabulary();
-  const auto covers =
-      CoversOf(lifted, action.arguments, state, vocabulary, Agent::kRobot);
-  return std::any_of(covers.begin(), covers.end(), [&](const Cover& cover) {
-    const auto& context = lifted.rules[cover.rule].context;
-    return std::all_of(context.begin(), context.end(), [&](const Literal& l) {
-      return MustHold(l, cover.binding, state, vocabulary);
-    });
-  });
+  const auto covers = ApplicableRules(lifted, action.arguments, state,
+                                      vocabulary, Agent::kRobot);
+  return std::any_of(
+      covers.begin(), covers.end(), [&](const ApplicableRule& cover) {
+        const auto& context = lifted.rules[cover.rule].context;
+        return std::all_of(
+            context.begin(), context.end(), [&](const Literal& l) {
+              return MustHold(l, cover.binding, state, vocabulary);
+            });
+      });
 }
 
 bool AreIndependent(const RuleSet& rules, const GroundAction& a,

@@ -61,7 +61,7 @@ Plan PlanSearch::Solve(const State& state) {
         params_.max_states);
     return plan;
   }
-  const GoalValues::Value& value = values_.Of(*s);
+  const ValueIteration::Value& value = values_.Of(*s);
   plan.probability = Rounded(value.probability);
   plan.expected_actions = Rounded(value.expected_actions);
   plan.steps = LikelyCourse(*s);
@@ -97,15 +97,15 @@ std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
   while (!is_goal_[state] && visited.insert(state).second) {
     const int best = values_.Best(space_, state);
     if (best < 0) break;
-    const StateSpace::Choice& choice = space_.choices(state)[best];
+    const StateSpace::Candidate& candidate = space_.candidates(state)[best];
     const auto likeliest = std::max_element(
-        choice.moves.begin(), choice.moves.end(),
+        candidate.moves.begin(), candidate.moves.end(),
         [&](const StateSpace::Move& a, const StateSpace::Move& b) {
           return a.probability * values_.Of(a.state).probability <
                  b.probability * values_.Of(b.state).probability;
         });
-    const GoalValues::Value value = values_.Of(choice, state);
-    steps.push_back({space_.actions()[choice.action], likeliest->probability,
+    const ValueIteration::Value value = values_.Of(candidate, state);
+    steps.push_back({space_.actions()[candidate.action], likeliest->probability,
                      Rounded(value.expected_actions)});
     state = likeliest->state;
   }
@@ -118,15 +118,15 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
     double probability;  // of reaching the goal
   };
   std::vector<Candidate> candidates;
-  for (const StateSpace::Choice& choice : space_.choices(state)) {
-    const GoalValues::Value value = values_.Of(choice, state);
+  for (const StateSpace::Candidate& candidate : space_.candidates(state)) {
+    const ValueIteration::Value value = values_.Of(candidate, state);
     double likeliest = 0;
-    for (const StateSpace::Move& move : choice.moves) {
+    for (const StateSpace::Move& move : candidate.moves) {
       if (values_.Of(move.state).probability <= 0) continue;
       likeliest = std::max(likeliest, move.probability);
     }
     if (likeliest == 0) continue;
-    candidates.push_back({{space_.actions()[choice.action], likeliest,
+    candidates.push_back({{space_.actions()[candidate.action], likeliest,
                            Rounded(value.expected_actions)},
                           Rounded(value.probability)});
   }

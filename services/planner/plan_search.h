@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "services/planner/excuse.h"
-#include "services/planner/goal_values.h"
 #include "services/planner/solver.h"
 #include "services/planner/state_space.h"
+#include "services/planner/value_iteration.h"
 
 namespace cell::planner {
 
@@ -41,7 +41,7 @@ class PlanSearch final : public Solver {
   Problem problem_;
   Params params_;
   StateSpace space_;
-  GoalValues values_;
+  ValueIteration values_;
   std::vector<bool> is_goal_;  // of each state of the space
 };
 

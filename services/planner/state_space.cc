@@ -15,11 +15,11 @@ StateSpace::StateSpace(std::shared_ptr<const RuleSet> rules, Agent agent,
 
 std::optional<int> StateSpace::Enter(const State& state, int max_states) {
   const int entered = IndexOf(state);
-  while (choices_.size() < states_.size()) {
-    choices_.push_back(ChoicesIn(static_cast<int>(choices_.size())));
+  while (candidates_.size() < states_.size()) {
+    candidates_.push_back(CandidatesIn(static_cast<int>(candidates_.size())));
     if (size() > max_states) {
       states_.clear();
-      choices_.clear();
+      candidates_.clear();
       index_of_.clear();
       return std::nullopt;
     }
@@ -33,44 +33,45 @@ int StateSpace::IndexOf(const State& state) {
   return it->second;
 }
 
-std::vector<StateSpace::Choice> StateSpace::ChoicesIn(int state) {
-  std::vector<Choice> choices;
+std::vector<StateSpace::Candidate> StateSpace::CandidatesIn(int state) {
+  std::vector<Candidate> candidates;
   const bool has_unknown = states_[state].HasUnknown();
   for (size_t i = 0; i < actions_.size(); ++i) {
     const auto covers =
-        CoversOf(rules_->ActionOf(actions_[i]), actions_[i].arguments,
-                 states_[state], rules_->vocabulary(), agent_);
+        ApplicableRules(rules_->ActionOf(actions_[i]), actions_[i].arguments,
+                        states_[state], rules_->vocabulary(), agent_);
     // Of several rules one may be right if something is unknown.
     if (covers.size() > 1 && !has_unknown) continue;
-    for (const Cover& cover : covers) {
-      Choice choice = Try(static_cast<int>(i), cover, state);
-      if (!choice.moves.empty()) choices.push_back(std::move(choice));
+    for (const ApplicableRule& cover : covers) {
+      Candidate candidate = Try(static_cast<int>(i), cover, state);
+      if (!candidate.moves.empty()) candidates.push_back(std::move(candidate));
     }
   }
-  return choices;
+  return candidates;
 }
 
-StateSpace::Choice StateSpace::Try(int action, const Cover& cover, int state) {
+StateSpace::Candidate StateSpace::Try(int action, const ApplicableRule& cover,
+                                      int state) {
   const NdrRule& rule = rules_->ActionOf(actions_[action]).rules[cover.rule];
-  Choice choice{action, rule.noise, {}};
+  Candidate candidate{action, rule.noise, {}};
   for (const Outcome& outcome : rule.outcomes) {
     if (outcome.probability == 0) continue;
     const int after = IndexOf(
-        After(outcome, cover.binding, states_[state], rules_->vocabulary()));
+        Apply(outcome, cover.binding, states_[state], rules_->vocabulary()));
     if (after == state) {
-      choice.stay += outcome.probability;
+      candidate.stay += outcome.probability;
       continue;
     }
     const auto known =
-        std::find_if(choice.moves.begin(), choice.moves.end(),
+        std::find_if(candidate.moves.begin(), candidate.moves.end(),
                      [&](const Move& move) { return move.state == after; });
-    if (known == choice.moves.end()) {
-      choice.moves.push_back({after, outcome.probability});
+    if (known == candidate.moves.end()) {
+      candidate.moves.push_back({after, outcome.probability});
     } else {
       known->probability += outcome.probability;
     }
   }
-  return choice;
+  return candidate;
 }
 
 std::vector<int> StateSpace::ReachableFrom(int state) const {
@@ -78,8 +79,8 @@ std::vector<int> StateSpace::ReachableFrom(int state) const {
   std::vector<int> reached = {state};
   is_reached.at(state) = true;
   for (size_t i = 0; i < reached.size(); ++i) {
-    for (const Choice& choice : choices_[reached[i]]) {
-      for (const Move& move : choice.moves) {
+    for (const Candidate& candidate : candidates_[reached[i]]) {
+      for (const Move& move : candidate.moves) {
         if (is_reached[move.state]) continue;
         is_reached[move.state] = true;
         reached.push_back(move.state);

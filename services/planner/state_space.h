@@ -20,7 +20,7 @@ class StateSpace {
     double probability;
   };
   /// An action that may change the state; the rest of the probability stays.
-  struct Choice {
+  struct Candidate {
     int action;  ///< index among actions()
     double stay;
     std::vector<Move> moves;  ///< each state once
@@ -38,8 +38,8 @@ class StateSpace {
 
   int size() const { return static_cast<int>(states_.size()); }
   const State& state(int index) const { return states_.at(index); }
-  const std::vector<Choice>& choices(int state) const {
-    return choices_[state];
+  const std::vector<Candidate>& candidates(int state) const {
+    return candidates_[state];
   }
   const std::vector<GroundAction>& actions() const { return actions_; }
   const RuleSet& rules() const { return *rules_; }
@@ -54,14 +54,14 @@ class StateSpace {
   };
 
   int IndexOf(const State& state);
-  std::vector<Choice> ChoicesIn(int state);
-  Choice Try(int action, const Cover& cover, int state);
+  std::vector<Candidate> CandidatesIn(int state);
+  Candidate Try(int action, const ApplicableRule& cover, int state);
 
   std::shared_ptr<const RuleSet> rules_;
   Agent agent_;
   std::vector<GroundAction> actions_;
   std::vector<State> states_;
-  std::vector<std::vector<Choice>> choices_;
+  std::vector<std::vector<Candidate>> candidates_;
   std::unordered_map<State, int, HashOfState> index_of_;  // never iterated
 };
 

@@ -9,10 +9,10 @@
 #include "common/bus/bus.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "common/relational/vocabulary.h"
-#include "common/scene/cast.h"
-#include "common/scene/key_frame.h"
 #include "common/predicates/predicate_sensor.h"
+#include "common/relational/vocabulary.h"
+#include "common/scene/key_frame.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 
 namespace cell::predicate_estimator {
@@ -25,7 +25,7 @@ namespace cell::predicate_estimator {
 class PredicateEstimator final : public Service {
  public:
   struct Params {
-    Cast cast;
+    SceneObjects scene_objects;
     Vocabulary vocabulary;
     std::shared_ptr<const PredicateSensor> sensor;
   };

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/scene/scene.h"
 #include "common/predicates/seat.h"
+#include "common/scene/scene.h"
 
 namespace cell::recognizer {
 
 using Eigen::Isometry3d;
 
-Recognition::Recognition(const Cast& cast, const PartTable& parts,
+Recognition::Recognition(const SceneObjects& scene_objects,
+                         const PartTable& parts,
                          std::shared_ptr<const SecLibrary> library,
                          std::shared_ptr<const PredicateSensor> sensor,
                          const Params& params)
-    : cast_(cast),
+    : scene_objects_(scene_objects),
       parts_(parts),
       library_(std::move(library)),
       sensor_(std::move(sensor)),
@@ -22,7 +23,7 @@ Recognition::Recognition(const Cast& cast, const PartTable& parts,
 
 std::vector<RecognisedAction> Recognition::Update(const KeyFrame& frame) {
   const auto now = std::make_shared<const SensedFrame>(
-      SensedFrame{frame, sensor_->Sense(SceneOf(frame, cast_))});
+      SensedFrame{frame, sensor_->Sense(SceneOf(frame, scene_objects_))});
   std::vector<Manipulation> placed;
   UpdateHeld(now, placed);
   std::vector<RecognisedAction> actions;
@@ -53,7 +54,7 @@ std::vector<RecognisedAction> Recognition::Update(const KeyFrame& frame) {
 std::vector<std::string> Recognition::HandsOn(const std::string& part,
                                               const TouchGraph& graph) const {
   std::vector<std::string> hands;
-  for (const std::string& hand : cast_.hands()) {
+  for (const std::string& hand : scene_objects_.hands()) {
     if (Touch(graph, part, hand)) hands.push_back(hand);
   }
   return hands;
@@ -64,7 +65,7 @@ std::vector<std::string> Recognition::HandsOn(const std::string& part,
 void Recognition::UpdateHeld(const std::shared_ptr<const SensedFrame>& now,
                              std::vector<Manipulation>& placed) {
   const KeyFrame& frame = now->frame;
-  for (const std::string& part : cast_.parts()) {
+  for (const std::string& part : scene_objects_.parts()) {
     const auto hands = HandsOn(part, frame.relations);
     auto it = manipulations_.find(part);
     if (it == manipulations_.end() && !hands.empty()) {
@@ -110,13 +111,13 @@ bool Recognition::WasMoved(const Manipulation& manipulation,
 
 bool Recognition::WasCarriedAlong(const Manipulation& manipulation,
                                   const SensedFrame& after) const {
-  return std::any_of(cast_.parts().begin(), cast_.parts().end(),
-                     [&](const std::string& other) {
-                       return other != manipulation.part() &&
-                              WasHeldSince(other, manipulation.pick_index()) &&
-                              Rode(manipulation.part(), other,
-                                   manipulation.before(), after);
-                     });
+  return std::any_of(
+      scene_objects_.parts().begin(), scene_objects_.parts().end(),
+      [&](const std::string& other) {
+        return other != manipulation.part() &&
+               WasHeldSince(other, manipulation.pick_index()) &&
+               Rode(manipulation.part(), other, manipulation.before(), after);
+      });
 }
 
 bool Recognition::WasHeldSince(const std::string& part, int64_t index) const {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/scene/cast.h"
 #include "common/predicates/predicate_sensor.h"
+#include "common/scene/scene_objects.h"
 #include "common/sec/sec_library.h"
 #include "services/recognizer/manipulation.h"
 
@@ -39,7 +39,7 @@ class Recognition {
     double turned = 0.175;  ///< [rad] more: it was moved; up to its symmetry
   };
 
-  Recognition(const Cast& cast, const PartTable& parts,
+  Recognition(const SceneObjects& scene_objects, const PartTable& parts,
               std::shared_ptr<const SecLibrary> library,
               std::shared_ptr<const PredicateSensor> sensor,
               const Params& params);
@@ -73,7 +73,7 @@ class Recognition {
                           const Manipulation::Hypothesis* hypothesis,
                           const SensedFrame& after);
 
-  Cast cast_;
+  SceneObjects scene_objects_;
   PartTable parts_;
   std::shared_ptr<const SecLibrary> library_;
   std::shared_ptr<const PredicateSensor> sensor_;

@@ -6,8 +6,8 @@
 #include "cell/action_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "common/actions/record_messages.h"
-#include "common/sec/condition_library.h"
 #include "common/scene/key_frame.h"
+#include "common/sec/condition_library.h"
 #include "common/task/task.h"
 
 namespace cell::recognizer {

@@ -9,7 +9,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 #include "services/recognizer/recognition.h"
 
 namespace cell::recognizer {
@@ -24,7 +24,7 @@ class Recognizer final : public Service {
     using MakeSecLibrary =
         std::function<std::shared_ptr<const SecLibrary>(const ActionModels&)>;
 
-    Cast cast;
+    SceneObjects scene_objects;
     ActionModels actions;
     MakeSecLibrary make_library;
     std::shared_ptr<const PredicateSensor> sensor;

@@ -20,7 +20,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/bus/input_alerts.h"
 #include "common/config/deployment.h"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 #include "services/robot_arm/arm_worker.h"
 
 namespace cell::robot_arm {
@@ -33,7 +33,7 @@ class RobotArm final : public Service {
  public:
   struct Params {
     ArmWorker::Params worker;
-    Cast cast;
+    SceneObjects scene_objects;
   };
 
   /// `bus` must outlive this object.

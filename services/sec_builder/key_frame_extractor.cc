@@ -5,9 +5,10 @@
 
 namespace cell::sec_builder {
 
-KeyFrameExtractor::KeyFrameExtractor(const Cast& cast, const Params& params)
-    : cast_(cast), params_(params) {
-  const auto& names = cast_.names();
+KeyFrameExtractor::KeyFrameExtractor(const SceneObjects& scene_objects,
+                                     const Params& params)
+    : scene_objects_(scene_objects), params_(params) {
+  const auto& names = scene_objects_.names();
   for (size_t i = 0; i < names.size(); ++i) {
     for (size_t j = i + 1; j < names.size(); ++j) {
       pairs_.emplace(ObjectPair{names[i], names[j]}, PairFilter(params.pair));
@@ -43,7 +44,8 @@ std::vector<KeyFrame> KeyFrameExtractor::Update(
 }
 
 bool KeyFrameExtractor::IsOfHandsAlone(const ObjectPair& pair) const {
-  return cast_.IsHand(pair.first) && cast_.IsHand(pair.second);
+  return scene_objects_.IsHand(pair.first) &&
+         scene_objects_.IsHand(pair.second);
 }
 
 void KeyFrameExtractor::NoteWhoIsThere(const Tracks& tracks) {
@@ -52,7 +54,7 @@ void KeyFrameExtractor::NoteWhoIsThere(const Tracks& tracks) {
       last_seen_[track.name] = tracks.utime;
     }
   }
-  last_seen_[Cast::kTable] = tracks.utime;
+  last_seen_[SceneObjects::kTable] = tracks.utime;
 }
 
 bool KeyFrameExtractor::IsGone(const std::string& name, int64_t utime) const {
@@ -113,7 +115,8 @@ std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
 KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
   KeyFrame frame{utime, next_index_++, graph_, {}};
   for (const Track& track : tracks.tracks) {
-    if (cast_.IsPart(track.name) && track.state != Track::State::kLost) {
+    if (scene_objects_.IsPart(track.name) &&
+        track.state != Track::State::kLost) {
       frame.poses.emplace(track.name, track.X_WO);
     }
   }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/scene/cast.h"
 #include "common/scene/key_frame.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 #include "services/sec_builder/pair_filter.h"
 #include "services/sec_builder/proximity.h"
@@ -29,7 +29,7 @@ class KeyFrameExtractor {
     int64_t absent_us = 1'000'000;  ///< without a track for so long: gone
   };
 
-  KeyFrameExtractor(const Cast& cast, const Params& params);
+  KeyFrameExtractor(const SceneObjects& scene_objects, const Params& params);
 
   /// Takes the tracks and what was measured of them. Key frame 0 is the
   /// topology of the first scene, in frame `confirm_frames`.
@@ -52,7 +52,7 @@ class KeyFrameExtractor {
   std::optional<KeyFrame> NextKeyFrame(const Tracks& tracks);
   KeyFrame MakeKeyFrame(int64_t utime, const Tracks& tracks);
 
-  Cast cast_;
+  SceneObjects scene_objects_;
   Params params_;
   std::map<ObjectPair, PairFilter> pairs_;
   std::map<std::string, int64_t> last_seen_;

@@ -22,9 +22,9 @@ std::vector<Vector3d> PointsWithin(const PointCloud& cloud,
 
 }  // namespace
 
-ProximitySensor::ProximitySensor(const Cast& cast, const PartTable& parts,
-                                 const Params& params)
-    : cast_(cast), params_(params) {
+ProximitySensor::ProximitySensor(const SceneObjects& scene_objects,
+                                 const PartTable& parts, const Params& params)
+    : scene_objects_(scene_objects), params_(params) {
   for (const Part& part : parts.parts()) {
     shapes_.emplace(part.name, PartShape(part));
   }
@@ -32,13 +32,13 @@ ProximitySensor::ProximitySensor(const Cast& cast, const PartTable& parts,
 
 Proximities ProximitySensor::Measure(const Tracks& tracks) const {
   std::vector<std::pair<std::string, Posed>> objects;
-  for (const std::string& name : cast_.names()) {
+  for (const std::string& name : scene_objects_.names()) {
     const Track* track = tracks.Find(name);
-    if (name == Cast::kTable) {
+    if (name == SceneObjects::kTable) {
       objects.emplace_back(name, Posed{});
     } else if (track && track->state == Track::State::kTracked) {
       Posed& posed = objects.emplace_back(name, Posed{track}).second;
-      if (cast_.IsPart(name)) {
+      if (scene_objects_.IsPart(name)) {
         posed.shape = &shapes_.at(name);
       } else {
         posed.cloud = PointCloud(track->points);

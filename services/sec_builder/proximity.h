@@ -6,8 +6,8 @@
 
 #include "common/geometry/part_shape.h"
 #include "common/parts/part_table.h"
-#include "common/scene/cast.h"
 #include "common/scene/relation.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 
 namespace cell::sec_builder {
@@ -30,7 +30,7 @@ class ProximitySensor {
     double cutoff = 0.015;  ///< [m] nor is what is further
   };
 
-  ProximitySensor(const Cast& cast, const PartTable& parts,
+  ProximitySensor(const SceneObjects& scene_objects, const PartTable& parts,
                   const Params& params);
 
   /// All pairs of objects with a state TRACKED, the table included.
@@ -49,7 +49,7 @@ class ProximitySensor {
   double FromTable(const Posed& object) const;
   double OfHands(const PointCloud& a, const PointCloud& b) const;
 
-  Cast cast_;
+  SceneObjects scene_objects_;
   Params params_;
   std::map<std::string, PartShape> shapes_;
 };

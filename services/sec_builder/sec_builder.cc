@@ -7,7 +7,7 @@ namespace cell::sec_builder {
 
 SecBuilder::SecBuilder(Bus& bus, const Params& params)
     : bus_(bus),
-      cast_(params.cast),
+      scene_objects_(params.cast),
       extractor_params_(params.extractor),
       sensor_(params.cast, params.parts, params.proximity),
       extractor_(params.cast, params.extractor) {
@@ -20,7 +20,7 @@ SecBuilder::SecBuilder(Bus& bus, const Params& params)
 bool SecBuilder::OnEpisode(const episode_t& message) {
   const auto event = episode_.Update(message);
   if (event == EpisodeEvent::kBegins) {
-    extractor_ = KeyFrameExtractor(cast_, extractor_params_);
+    extractor_ = KeyFrameExtractor(scene_objects_, extractor_params_);
     last_utime_.reset();
     first_index_ = 0;
   }
@@ -28,7 +28,7 @@ bool SecBuilder::OnEpisode(const episode_t& message) {
 }
 
 bool SecBuilder::OnTracks(const tracks_t& message) {
-  const auto tracks = TracksFromMessage(message, cast_);
+  const auto tracks = TracksFromMessage(message, scene_objects_);
   if (!tracks || (last_utime_ && tracks->utime <= *last_utime_)) return false;
   if (episode_.IsBefore(tracks->utime)) return true;
   last_utime_ = tracks->utime;

@@ -8,7 +8,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 #include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 
@@ -18,7 +18,7 @@ namespace cell::sec_builder {
 class SecBuilder final : public Service {
  public:
   struct Params {
-    Cast cast;
+    SceneObjects scene_objects;
     PartTable parts;
     ProximitySensor::Params proximity;
     KeyFrameExtractor::Params extractor;
@@ -33,7 +33,7 @@ class SecBuilder final : public Service {
 
   Bus& bus_;
   EpisodeGate episode_;
-  Cast cast_;
+  SceneObjects scene_objects_;
   KeyFrameExtractor::Params extractor_params_;
   ProximitySensor sensor_;
   KeyFrameExtractor extractor_;         // of the episode

@@ -26,13 +26,13 @@ static_assert(static_cast<int>(Mode::kHold) == motion_permit_t::HOLD);
 static_assert(static_cast<int>(Hold::kAtOnce) == motion_permit_t::AT_ONCE);
 static_assert(static_cast<int>(AlertLevel::kError) == alert_t::ERROR);
 
-int8_t CauseOf(const Notice& notice) {
-  switch (notice.cause) {
-    case Notice::Cause::kSilent:
+int8_t CauseOf(const Event& event) {
+  switch (event.cause) {
+    case Event::Cause::kSilent:
       return alert_t::SERVICE_SILENT;
-    case Notice::Cause::kRestarted:
+    case Event::Cause::kRestarted:
       return alert_t::RESTARTED;
-    case Notice::Cause::kHeld:
+    case Event::Cause::kHeld:
       break;
   }
   return alert_t::HELD;
@@ -74,9 +74,9 @@ Supervisor::Supervisor(Bus& bus, Params params)
 }
 
 /// Begins with the first activation: before it there is no time.
-Supervision& Supervisor::Watch() {
-  if (!supervision_) supervision_.emplace(params_.table, bus_.now());
-  return *supervision_;
+SafetyMonitor& Supervisor::Watch() {
+  if (!monitor_) monitor_.emplace(params_.table, bus_.now());
+  return *monitor_;
 }
 
 bool Supervisor::OnEpisode(const episode_t& message) {
@@ -87,8 +87,8 @@ bool Supervisor::OnEpisode(const episode_t& message) {
   }
   const bool is_robot = message.agent == "robot";
   if (!event || (!is_robot && message.agent != "person")) return false;
-  Watch().SetAgent(is_robot ? Supervision::Agent::kRobot
-                            : Supervision::Agent::kPerson);
+  Watch().SetAgent(is_robot ? SafetyMonitor::Agent::kRobot
+                            : SafetyMonitor::Agent::kPerson);
   return true;
 }
 
@@ -120,8 +120,8 @@ bool Supervisor::OnStatus(const status_t& message) {
   Watch().Hear(message.service, bus_.now());
   const int32_t life = message.header.sender / kMaxServices;
   // Its own first word, too, tells a supervisor that it is not the first one.
-  if (message.service == kName && life > 0) Watch().HearLife(kName, 0);
-  Watch().HearLife(message.service, life);
+  if (message.service == kName && life > 0) Watch().OnIncarnation(kName, 0);
+  Watch().OnIncarnation(message.service, life);
   return true;
 }
 
@@ -185,7 +185,7 @@ void Supervisor::OnTick() {
     Watch().StopProtectively(
         arm, why == why_.end() ? "its device has not said why" : why->second);
   }
-  for (const Notice& notice : Watch().Update(bus_.now())) Publish(notice);
+  for (const Event& event : Watch().Update(bus_.now())) Publish(event);
   const Operation operation = Watch().operation();
   if (operation.mode == Mode::kHold) held_utime_ = bus_.now();
   const size_t num_arms = params_.arms.size();
@@ -216,12 +216,12 @@ void Supervisor::PublishMode(const Operation& operation) {
   bus_.Publish("MODE", message);
 }
 
-void Supervisor::Publish(const Notice& notice) {
+void Supervisor::Publish(const Event& event) {
   alert_t alert{};
   alert.header.utime = bus_.now();
-  alert.level = static_cast<int8_t>(notice.level);
-  alert.cause = CauseOf(notice);
-  alert.text = notice.text;
+  alert.level = static_cast<int8_t>(event.level);
+  alert.cause = CauseOf(event);
+  alert.text = event.text;
   bus_.Publish("ALERT", alert);
 }
 
@@ -230,7 +230,7 @@ std::unique_ptr<Service> MakeSupervisor(Bus& bus,
   const Roster roster = Roster::FromConfig(deployment.ForService("roster"));
   const Config config = deployment.ForService(kName);
   Supervisor::Params params;
-  params.table = HoldTable::FromConfig(config, roster, kName);
+  params.table = StopPolicy::FromConfig(config, roster, kName);
   params.permit_us = std::llround(1e3 * config.Number("permit_ms", 8, 1000));
   config.Finish();
   for (const Roster::Entry& entry : roster.entries) {

@@ -17,7 +17,7 @@
 #include "common/bus/command_answer.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "services/supervisor/supervision.h"
+#include "services/supervisor/safety_monitor.h"
 
 namespace cell::supervisor {
 
@@ -28,7 +28,7 @@ namespace cell::supervisor {
 class Supervisor final : public Service {
  public:
   struct Params {
-    HoldTable table;
+    StopPolicy table;
     int64_t permit_us = 40'000;
     std::vector<std::string> services;  ///< the roster
     std::vector<std::string> arms;      ///< of the services robot_arm@<arm>
@@ -45,16 +45,16 @@ class Supervisor final : public Service {
   bool OnState(const std::string& arm, const arm_state_t& message);
   bool OnStop(const std::string& arm, const arm_stop_t& message);
   bool OnResult(const skill_result_t& message);
-  Supervision& Watch();
+  SafetyMonitor& Watch();
   void OnTick();
   void PublishPermit(const Operation& operation);
   void PublishMode(const Operation& operation);
-  void Publish(const Notice& notice);
+  void Publish(const Event& event);
 
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
-  std::optional<Supervision> supervision_;  // from the first tick on
+  std::optional<SafetyMonitor> monitor_;    // from the first tick on
   std::map<std::string, int8_t> servos_;    // last seen, by arm
   std::set<std::string> stopped_;           // arms, in this tick
   std::map<std::string, std::string> why_;  // they have stopped, by arm

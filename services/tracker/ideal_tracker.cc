@@ -6,9 +6,9 @@
 
 namespace cell::tracker {
 
-IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
-                           const Params& params)
-    : cast_(cast) {
+IdealTracker::IdealTracker(const SceneObjects& scene_objects,
+                           const CellLayout& layout, const Params& params)
+    : scene_objects_(scene_objects) {
   const auto add = [&](const std::string& hand, const HandType::Box& box) {
     surfaces_[hand][hand + "." + box.name] =
         SampleBoxSurface(box.half_extents, params.hand_spacing);
@@ -23,13 +23,13 @@ IdealTracker::IdealTracker(const Cast& cast, const CellLayout& layout,
 
 Tracks IdealTracker::Update(const TruthPoses& truth) const {
   Tracks tracks{truth.utime, {}};
-  for (const std::string& name : cast_.names()) {
-    if (cast_.IsHand(name)) {
+  for (const std::string& name : scene_objects_.names()) {
+    if (scene_objects_.IsHand(name)) {
       TrackHand(name, truth, tracks);
       continue;
     }
     const auto pose = truth.poses.find(name);
-    if (!cast_.IsPart(name) || pose == truth.poses.end()) continue;
+    if (!scene_objects_.IsPart(name) || pose == truth.poses.end()) continue;
     tracks.tracks.push_back(
         {name, Track::State::kTracked, 1, pose->second, {}});
   }

@@ -7,7 +7,7 @@
 
 #include "common/geometry/truth_poses.h"
 #include "common/layout/cell_layout.h"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 
 namespace cell::tracker {
@@ -23,7 +23,7 @@ class IdealTracker {
   };
 
   /// A hand is the boxes of `layout`, its bodies' frames at their centres.
-  IdealTracker(const Cast& cast, const CellLayout& layout,
+  IdealTracker(const SceneObjects& scene_objects, const CellLayout& layout,
                const Params& params);
 
   /// A track of every part that is there, and of every hand of which all
@@ -35,7 +35,7 @@ class IdealTracker {
   void TrackHand(const std::string& hand, const TruthPoses& truth,
                  Tracks& tracks) const;
 
-  Cast cast_;
+  SceneObjects scene_objects_;
   /// Surface points of the bodies of each hand.
   using Surfaces = std::map<std::string, std::vector<Eigen::Vector3d>>;
   std::map<std::string, Surfaces> surfaces_;

@@ -10,7 +10,7 @@ namespace cell::tracker {
 
 Tracker::Tracker(Bus& bus, const Params& params)
     : bus_(bus),
-      cast_(params.cast),
+      scene_objects_(params.cast),
       tracker_(params.cast, params.layout, params.ideal) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
@@ -34,7 +34,8 @@ bool Tracker::OnTruth(const truth_poses_t& message) {
 
 void Tracker::PublishTracks() {
   if (!truth_) return;
-  bus_.Publish("TRACKS", TracksToMessage(tracker_.Update(*truth_), cast_));
+  bus_.Publish("TRACKS",
+               TracksToMessage(tracker_.Update(*truth_), scene_objects_));
   truth_.reset();
 }
 

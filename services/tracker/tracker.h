@@ -8,7 +8,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/layout/cell_layout.h"
-#include "common/scene/cast.h"
+#include "common/scene/scene_objects.h"
 #include "services/tracker/ideal_tracker.h"
 
 namespace cell::tracker {
@@ -17,7 +17,7 @@ namespace cell::tracker {
 class Tracker final : public Service {
  public:
   struct Params {
-    Cast cast;
+    SceneObjects scene_objects;
     CellLayout layout;
     int32_t period_ticks = 12;  ///< of the cameras, 96 ms
     IdealTracker::Params ideal;
@@ -33,7 +33,7 @@ class Tracker final : public Service {
 
   Bus& bus_;
   EpisodeGate episode_;
-  Cast cast_;
+  SceneObjects scene_objects_;
   IdealTracker tracker_;
   std::optional<TruthPoses> truth_;  // not yet published
 };

@@ -6,8 +6,7 @@
 
 namespace cell::vtb {
 
-void Attendance::HearMode(bool is_hold, const std::string& reason,
-                          int32_t tick) {
+void Attendance::OnMode(bool is_hold, const std::string& reason, int32_t tick) {
   if (!is_hold) return hold_tick_.reset();
   if (!hold_tick_) hold_tick_ = tick;
   reason_ = reason;

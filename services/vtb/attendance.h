@@ -16,7 +16,7 @@ class Attendance {
 
   void HearOperator() { is_attended_ = true; }
   /// What the supervisor says. `reason` of a hold, in plain words.
-  void HearMode(bool is_hold, const std::string& reason, int32_t tick);
+  void OnMode(bool is_hold, const std::string& reason, int32_t tick);
   /// Forgets a hold, not the operator.
   void BeginEpisode() { hold_tick_.reset(); }
   /// Why waiting is in vain; nothing if it is not.

@@ -61,30 +61,30 @@ int Draw(const CountRange& range, std::mt19937_64& random) {
 
 }  // namespace
 
-Demonstrator::Demonstrator(std::shared_ptr<const DemonstratorBook> book,
+Demonstrator::Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
                            const std::string& script, uint64_t seed,
                            World& world)
-    : book_(std::move(book)), random_(seed) {
-  const auto found = book_->scripts.find(script);
-  if (found == book_->scripts.end()) {
+    : demonstrations_(std::move(demonstrations)), random_(seed) {
+  const auto found = demonstrations_->scripts.find(script);
+  if (found == demonstrations_->scripts.end()) {
     throw std::invalid_argument("no demonstration is named '" + script + "'");
   }
   script_ = &found->second;
-  tabletop_ = std::make_shared<Tabletop>(world.table(), world.layout(),
-                                         book_->manner.table_gap);
+  sampler_ = std::make_shared<PlacementSampler>(
+      world.table(), world.layout(), demonstrations_->human_motion.table_gap);
   world.Reset();
-  Tabletop::Accept accept;
+  PlacementSampler::Accept accept;
   if (script_->agent == "robot") {
     accept = [reach = WithinReach(world.table(), world.layout())](
                  const auto& scene) {
       return reach.CanTakeAll(scene);
     };
   }
-  for (const auto& placed : tabletop_->Scatter(random_, accept)) {
+  for (const auto& placed : sampler_->Scatter(random_, accept)) {
     world.Place(placed.part, placed.X_WO);
   }
   for (const std::string& name : script_->place) {
-    const PlacementRule& rule = book_->rules.at(name);
+    const PlacementRule& rule = demonstrations_->rules.at(name);
     for (const Part& host : world.table().parts()) {
       for (const Site& site : host.sites) {
         if (site.type == rule.site_type) {
@@ -98,10 +98,10 @@ Demonstrator::Demonstrator(std::shared_ptr<const DemonstratorBook> book,
   for (int i = 1; i <= script_->num_hands; ++i) {
     const std::string& name =
         hands.at(hands.size() - static_cast<size_t>(i)).name;
-    hands_.push_back({HandActor(name, book_->manner, world)});
+    hands_.push_back({HandActor(name, demonstrations_->human_motion, world)});
   }
   PlanEvents();
-  pause_ = book_->manner.first_pause;
+  pause_ = demonstrations_->human_motion.first_pause;
 }
 
 void Demonstrator::PlanEvents() {
@@ -155,7 +155,7 @@ void Demonstrator::Update(double dt, World& world) {
   BookFinished();
   if (pause_ <= 0 && !is_over_) Decide(world);
   for (Hand& hand : hands_) {
-    hand.actor.Update(dt, world, *tabletop_, random_);
+    hand.actor.Update(dt, world, *sampler_, random_);
   }
 }
 
@@ -193,7 +193,8 @@ void Demonstrator::BookFinished() {
         Placement::State::kDone;
     hand.placement = -1;
     pause_ = std::uniform_real_distribution<double>(
-        book_->manner.pause_low, book_->manner.pause_high)(random_);
+        demonstrations_->human_motion.pause_low,
+        demonstrations_->human_motion.pause_high)(random_);
   }
 }
 
@@ -231,7 +232,7 @@ bool Demonstrator::IsWayFree(const HandActor& actor, const World& world) const {
   return std::ranges::all_of(hands_, [&](const Hand& other) {
     return other.actor.hand() == actor.hand() ||
            DistanceOfWays(way, other.actor.WayAhead(world)) >
-               book_->manner.hands_gap;
+               demonstrations_->human_motion.hands_gap;
   });
 }
 
@@ -252,7 +253,7 @@ bool Demonstrator::WouldSpoilMistake(const Placement& placement,
   }
   if (!is_planned(EventKind::kTooEarly)) return false;
   const std::vector<std::string>& conditions =
-      book_->rules.at(*script_->too_early).after;
+      demonstrations_->rules.at(*script_->too_early).after;
   const auto num_open =
       std::ranges::count_if(placements_, [&](const Placement& p) {
         return p.state == Placement::State::kOpen &&
@@ -415,11 +416,11 @@ bool Demonstrator::LayOutside(World& world) {
 std::optional<Isometry3d> Demonstrator::PlaceFor(const std::string& part,
                                                  double min_way,
                                                  const World& world) {
-  std::vector<Tabletop::Placed> scene;
+  std::vector<PlacementSampler::Placed> scene;
   for (const Part& other : world.table().parts()) {
     scene.push_back({other.name, world.PoseOf(other.name)});
   }
-  return tabletop_->FreePlace(part, scene, min_way, random_);
+  return sampler_->FreePlace(part, scene, min_way, random_);
 }
 
 void Demonstrator::PutOnTable(const std::string& part,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "services/vtb/hand_actor.h"
+#include "services/vtb/placement_sampler.h"
 #include "services/vtb/script.h"
-#include "services/vtb/tabletop.h"
 #include "services/vtb/world.h"
 
 namespace cell::vtb {
@@ -20,8 +20,8 @@ namespace cell::vtb {
 class Demonstrator {
  public:
   /// Scatters the parts of `world` and stands ready.
-  /// @throws std::invalid_argument if the book has no such script.
-  Demonstrator(std::shared_ptr<const DemonstratorBook> book,
+  /// @throws std::invalid_argument if the demonstrations has no such script.
+  Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
                const std::string& script, uint64_t seed, World& world);
 
   /// One tick: moves the hands of `world` for the coming `dt` [s].
@@ -81,9 +81,9 @@ class Demonstrator {
         0, items.size() - 1)(random_)];
   }
 
-  std::shared_ptr<const DemonstratorBook> book_;
+  std::shared_ptr<const Demonstrations> demonstrations_;
   const Script* script_;
-  std::shared_ptr<const Tabletop> tabletop_;
+  std::shared_ptr<const PlacementSampler> sampler_;
   std::mt19937_64 random_;
   std::vector<Placement> placements_;
   std::vector<Event> events_;  // to come, the next first

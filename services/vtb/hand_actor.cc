@@ -6,10 +6,10 @@
 
 namespace cell::vtb {
 
-HandActor::HandActor(std::string hand, const Manner& manner,
+HandActor::HandActor(std::string hand, const HumanMotionParams& human_motion,
                      const World& world) {
   hand_.name = std::move(hand);
-  hand_.manner = manner;
+  hand_.human_motion = human_motion;
   for (const CellLayout::Hand& layout : world.layout().hands) {
     if (layout.name == hand_.name) {
       hand_.X_WG_rest.translation() = layout.p_WG_rest;
@@ -52,7 +52,7 @@ std::vector<Eigen::Vector2d> HandActor::WayAhead(const World& world) const {
   return way;
 }
 
-void HandActor::Update(double dt, World& world, const Tabletop& tabletop,
+void HandActor::Update(double dt, World& world, const PlacementSampler& sampler,
                        std::mt19937_64& random) {
   if (!stages_.empty()) {
     const HandStage& stage = *stages_.front();
@@ -60,7 +60,7 @@ void HandActor::Update(double dt, World& world, const Tabletop& tabletop,
     if (is_new) {
       run_ = {0, HandPath(hand_.X_WG), hand_.opening, hand_.opening};
     }
-    HandContext context{hand_, *run_, world, tabletop, random, dt};
+    HandContext context{hand_, *run_, world, sampler, random, dt};
     if (is_new) stage.Begin(context);
     run_->time += dt;
     const HandStage::Progress progress = stage.Act(context);

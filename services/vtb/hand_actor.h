@@ -16,7 +16,8 @@ namespace cell::vtb {
 /// other, watching what it does. A value: a copy goes on in the same way.
 class HandActor {
  public:
-  HandActor(std::string hand, const Manner& manner, const World& world);
+  HandActor(std::string hand, const HumanMotionParams& human_motion,
+            const World& world);
 
   /// To be done after all that is to be done already.
   void Do(const HandAction& action);
@@ -28,7 +29,7 @@ class HandActor {
   void Pause(double duration);
 
   /// One tick: moves the hand of `world` for the coming `dt` [s].
-  void Update(double dt, World& world, const Tabletop& tabletop,
+  void Update(double dt, World& world, const PlacementSampler& sampler,
               std::mt19937_64& random);
 
   bool is_idle() const { return stages_.empty(); }

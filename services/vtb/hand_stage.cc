@@ -43,7 +43,7 @@ Sweep SweepOf(const Isometry3d& from, const Isometry3d& to,
   sweep.drop = is_tilting ? kTiltedDrop : kTipDrop;
   if (!held) return sweep;
   const Isometry3d& X_GO = context.hand.X_GO;
-  const PartExtent& extent = context.tabletop.ExtentOf(*held);
+  const PartExtent& extent = context.sampler.ExtentOf(*held);
   sweep.radius += X_GO.translation().head<2>().norm() + extent.radius;
   const auto hang = [&](const Isometry3d& X) {
     return X.translation().z() - extent.Lowest(X * X_GO);
@@ -64,7 +64,7 @@ double HighestOnTheWay(const Vector2d& from, const Vector2d& to, double radius,
   for (const Part& other : context.world.table().parts()) {
     if (held == other.name) continue;
     const Isometry3d X_WO = context.world.PoseOf(other.name);
-    const PartExtent& extent = context.tabletop.ExtentOf(other.name);
+    const PartExtent& extent = context.sampler.ExtentOf(other.name);
     if (DistanceToSegment(X_WO.translation().head<2>(), from, to) <
         radius + extent.RadiusAcross(X_WO)) {
       top = std::max(top, extent.Highest(X_WO));
@@ -77,7 +77,7 @@ double HighestOnTheWay(const Vector2d& from, const Vector2d& to, double radius,
 
 double HandState::Spread(std::mt19937_64& random) const {
   return std::uniform_real_distribution<double>(
-      1 - manner.speed_spread, 1 + manner.speed_spread)(random);
+      1 - human_motion.speed_spread, 1 + human_motion.speed_spread)(random);
 }
 
 void HandStage::Begin(HandContext& /*context*/) const {}
@@ -106,20 +106,20 @@ void GoStraight(const Isometry3d& X_WG, double duration, HandContext& context) {
 
 void GoOver(const Isometry3d& X_WG, HandContext& context) {
   const Isometry3d& from = context.hand.X_WG;
-  const Manner& manner = context.hand.manner;
+  const HumanMotionParams& human_motion = context.hand.human_motion;
   const auto held = context.world.hands().HeldBy(context.hand.name);
   const Sweep sweep = SweepOf(from, X_WG, held, context);
   const double top = HighestOnTheWay(from.translation().head<2>(),
                                      X_WG.translation().head<2>(), sweep.radius,
                                      held, context);
   std::uniform_real_distribution<double> unit(0, 1);
-  const double clear_z = top + manner.clearance / 2 + sweep.drop;
+  const double clear_z = top + human_motion.clearance / 2 + sweep.drop;
   const double top_z =
-      clear_z + manner.clearance * (0.5 + unit(context.random));
-  HandPath::Speeds speeds = manner.speeds;
+      clear_z + human_motion.clearance * (0.5 + unit(context.random));
+  HandPath::Speeds speeds = human_motion.speeds;
   speeds.across *= context.hand.Spread(context.random);
   speeds.along *= context.hand.Spread(context.random);
-  const double bend = manner.bend * (2 * unit(context.random) - 1);
+  const double bend = human_motion.bend * (2 * unit(context.random) - 1);
   context.run.path = HandPath::Over(from, X_WG, clear_z, top_z, bend, speeds);
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "services/vtb/hand_path.h"
+#include "services/vtb/placement_sampler.h"
 #include "services/vtb/script.h"
-#include "services/vtb/tabletop.h"
 #include "services/vtb/target.h"
 #include "services/vtb/world.h"
 
@@ -18,7 +18,7 @@ namespace cell::vtb {
 /// A person's hand: what one stage leaves to the next.
 struct HandState {
   std::string name;
-  Manner manner;
+  HumanMotionParams human_motion;
   Eigen::Isometry3d X_WG = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d X_WG_rest = Eigen::Isometry3d::Identity();
   double opening = 0;      ///< [m] between the fingers
@@ -29,7 +29,7 @@ struct HandState {
   int num_tries = 0;                  ///< to insert it
   std::vector<std::string> failures;  ///< parts that did not seat, or move
 
-  /// A factor by which a speed differs from the manner's.
+  /// A factor by which a speed differs from the human_motion's.
   double Spread(std::mt19937_64& random) const;
 };
 
@@ -45,7 +45,7 @@ struct HandContext {
   HandState& hand;
   StageRun& run;
   World& world;
-  const Tabletop& tabletop;
+  const PlacementSampler& sampler;
   std::mt19937_64& random;
   double dt = 0;
 };

@@ -30,30 +30,30 @@ CountRange CountOf(const Config& config) {
   return count;
 }
 
-Manner MannerFromConfig(const Config& config) {
-  Manner manner;
-  manner.speeds = {config.Number("across", 0.05, 2),
-                   config.Number("along", 0.05, 2),
-                   config.Number("turning", 0.1, 10)};
-  manner.speed_spread = config.Number("speed_spread", 0, 0.9);
-  manner.bend = config.Number("bend", 0, 0.2);
-  manner.first_pause = config.Number("first_pause", 0, 60);
+HumanMotionParams HumanMotionFromConfig(const Config& config) {
+  HumanMotionParams human_motion;
+  human_motion.speeds = {config.Number("across", 0.05, 2),
+                         config.Number("along", 0.05, 2),
+                         config.Number("turning", 0.1, 10)};
+  human_motion.speed_spread = config.Number("speed_spread", 0, 0.9);
+  human_motion.bend = config.Number("bend", 0, 0.2);
+  human_motion.first_pause = config.Number("first_pause", 0, 60);
   const std::vector<double> pause = config.Numbers("pause", 2);
   if (!(pause[0] >= 0 && pause[1] >= pause[0])) {
     config["pause"].Fail("should be [low, high]");
   }
-  manner.pause_low = pause[0];
-  manner.pause_high = pause[1];
-  manner.dwell = config.Number("dwell", 0, 10);
-  manner.close_time = config.Number("close_time", 0.05, 10);
-  manner.open_margin = config.Number("open_margin", 0.001, 0.1);
-  manner.insert_speed = config.Number("insert_speed", 0.005, 1);
-  manner.aim_error = config.Number("aim_error", 0, 0.01);
-  manner.turn_rate = config.Number("turn_rate", 0.1, 10);
-  manner.clearance = config.Number("clearance", 0.01, 0.5);
-  manner.table_gap = config.Number("table_gap", 0, 0.5);
-  manner.hands_gap = config.Number("hands_gap", 0, 2);
-  return manner;
+  human_motion.pause_low = pause[0];
+  human_motion.pause_high = pause[1];
+  human_motion.dwell = config.Number("dwell", 0, 10);
+  human_motion.close_time = config.Number("close_time", 0.05, 10);
+  human_motion.open_margin = config.Number("open_margin", 0.001, 0.1);
+  human_motion.insert_speed = config.Number("insert_speed", 0.005, 1);
+  human_motion.aim_error = config.Number("aim_error", 0, 0.01);
+  human_motion.turn_rate = config.Number("turn_rate", 0.1, 10);
+  human_motion.clearance = config.Number("clearance", 0.01, 0.5);
+  human_motion.table_gap = config.Number("table_gap", 0, 0.5);
+  human_motion.hands_gap = config.Number("hands_gap", 0, 2);
+  return human_motion;
 }
 
 template <class Items, class Proj>
@@ -92,36 +92,36 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
   return rule;
 }
 
-Script::Bystander BystanderFromConfig(const Config& config) {
-  using Kind = Script::Bystander::Kind;
-  Script::Bystander bystander;
-  bystander.helps = config.GetOr("helps", false);
-  if (!config.Has("disturbs")) return bystander;
+Script::Disturbance DisturbanceFromConfig(const Config& config) {
+  using Kind = Script::Disturbance::Kind;
+  Script::Disturbance disturbance;
+  disturbance_model.helps = config.GetOr("helps", false);
+  if (!config.Has("disturbs")) return disturbance;
   const Config disturbs = config["disturbs"];
   const auto how = disturbs.Get<std::string>("how");
   if (how == "move") {
-    bystander.kind = Kind::kMove;
+    disturbance.kind = Kind::kMove;
   } else if (how == "return") {
-    bystander.kind = Kind::kReturn;
+    disturbance.kind = Kind::kReturn;
   } else if (how == "place") {
-    bystander.kind = Kind::kPlace;
+    disturbance.kind = Kind::kPlace;
   } else {
     disturbs["how"].Fail("'" + how + "' is none of move, return, place");
   }
-  bystander.beyond_reach = disturbs.GetOr<bool>("beyond_reach", false);
-  bystander.count = CountOf(disturbs);
+  disturbance.beyond_reach = disturbs.GetOr<bool>("beyond_reach", false);
+  disturbance.count = CountOf(disturbs);
   const std::vector<double> within = disturbs.Numbers("within_s", 2);
   if (!(within[0] >= 0 && within[1] >= within[0])) {
     disturbs["within_s"].Fail("should be [low, high]");
   }
-  bystander.earliest = within[0];
-  bystander.latest = within[1];
+  disturbance.earliest = within[0];
+  disturbance.latest = within[1];
   for (const Config& place : disturbs.ItemsOf("to")) {
     const auto xy = place.As<std::vector<double>>();
     if (xy.size() != 2) place.Fail("should be [x, y]");
-    bystander.places.emplace_back(xy[0], xy[1]);
+    disturbance.places.emplace_back(xy[0], xy[1]);
   }
-  return bystander;
+  return disturbance;
 }
 
 Script ScriptFromConfig(const Config& config, const std::string& name) {
@@ -151,25 +151,25 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
     script.too_early = config.Get<std::string>("too_early");
   }
   script.lay_outside = NamesOf(config, "lay_outside");
-  if (config.Has("bystander")) {
-    script.bystander = BystanderFromConfig(config["bystander"]);
+  if (config.Has("disturbance")) {
+    script.disturbance = DisturbanceFromConfig(config["disturbance"]);
   }
   return script;
 }
 
 /// Refuses rules that are unknown or wait for themselves.
-void CheckAfter(const Config& config, const DemonstratorBook& book) {
+void CheckAfter(const Config& config, const Demonstrations& demonstrations) {
   const auto key = [&](const std::string& name) {
     return config["placements"][name]["after"];
   };
-  for (const auto& [name, rule] : book.rules) {
+  for (const auto& [name, rule] : demonstrations.rules) {
     for (const std::string& before : rule.after) {
-      if (!book.rules.contains(before)) {
+      if (!demonstrations.rules.contains(before)) {
         key(name).Fail("no placement '" + before + "'");
       }
     }
   }
-  for (const auto& [name, rule] : book.rules) {
+  for (const auto& [name, rule] : demonstrations.rules) {
     std::set<std::string> before;
     std::vector<std::string> to_visit = rule.after;
     while (!to_visit.empty()) {
@@ -177,27 +177,27 @@ void CheckAfter(const Config& config, const DemonstratorBook& book) {
       to_visit.pop_back();
       if (next == name) key(name).Fail("waits for itself");
       if (!before.insert(next).second) continue;
-      const auto& after = book.rules.at(next).after;
+      const auto& after = demonstrations.rules.at(next).after;
       to_visit.insert(to_visit.end(), after.begin(), after.end());
     }
   }
 }
 
 void CheckScript(const Config& config, const Script& script,
-                 const DemonstratorBook& book, const PartTable& table) {
+                 const Demonstrations& demonstrations, const PartTable& table) {
   for (const std::string& type : script.lay_outside) {
     if (!AnyIs(table.parts(), type, &Part::type)) {
       config["lay_outside"].Fail("no part is of type '" + type + "'");
     }
   }
   const auto check = [&](const std::string& key, const std::string& rule) {
-    if (!book.rules.contains(rule)) {
+    if (!demonstrations.rules.contains(rule)) {
       config[key].Fail("no placement '" + rule + "'");
     }
   };
   for (const std::string& rule : script.place) {
     check("place", rule);
-    for (const std::string& before : book.rules.at(rule).after) {
+    for (const std::string& before : demonstrations.rules.at(rule).after) {
       if (!AnyIs(script.place, before, std::identity{})) {
         config["place"].Fail("'" + rule + "' needs '" + before + "'");
       }
@@ -208,12 +208,13 @@ void CheckScript(const Config& config, const Script& script,
 }
 
 std::vector<std::string> LoadDefault(const Config& config,
-                                     const DemonstratorBook& book) {
+                                     const Demonstrations& demonstrations) {
   std::vector<std::string> names, known;
-  for (const auto& [script, entry] : book.scripts) known.push_back(script);
+  for (const auto& [script, entry] : demonstrations.scripts)
+    known.push_back(script);
   for (const Config& item : config.Items()) {
     names.push_back(item.As<std::string>());
-    if (!book.scripts.contains(names.back())) {
+    if (!demonstrations.scripts.contains(names.back())) {
       item.Fail("no script is named '" + names.back() + "'" +
                 NamesInstead(names.back(), known));
     }
@@ -224,23 +225,24 @@ std::vector<std::string> LoadDefault(const Config& config,
 
 }  // namespace
 
-DemonstratorBook DemonstratorBook::FromConfig(const Config& config,
-                                              const PartTable& table) {
-  DemonstratorBook book;
-  book.goal = config.Get<std::string>("goal");
-  book.manner = MannerFromConfig(config["manner"]);
+Demonstrations Demonstrations::FromConfig(const Config& config,
+                                          const PartTable& table) {
+  Demonstrations demonstrations;
+  demonstrations.goal = config.Get<std::string>("goal");
+  demonstrations.human_motion = HumanMotionFromConfig(config["human_motion"]);
   for (const auto& [name, entry] : config["placements"].Entries()) {
-    book.rules.emplace(name, RuleFromConfig(entry, name, table));
+    demonstrations.rules.emplace(name, RuleFromConfig(entry, name, table));
   }
-  CheckAfter(config, book);
+  CheckAfter(config, demonstrations);
   for (const auto& [name, entry] : config["scripts"].Entries()) {
     const Script script = ScriptFromConfig(entry, name);
-    CheckScript(entry, script, book, table);
-    book.scripts.emplace(name, script);
+    CheckScript(entry, script, demonstrations, table);
+    demonstrations.scripts.emplace(name, script);
   }
-  book.default_episodes = LoadDefault(config["default"], book);
+  demonstrations.default_episodes =
+      LoadDefault(config["default"], demonstrations);
   config.Finish();
-  return book;
+  return demonstrations;
 }
 
 }  // namespace cell::vtb

@@ -43,7 +43,7 @@ struct Script {
   /// taken back.
   std::optional<std::string> too_early;
   /// A person beside the robot.
-  struct Bystander {
+  struct Disturbance {
     enum class Kind {
       kMove,    ///< a part to another place
       kReturn,  ///< the same, after having kept it a while
@@ -58,13 +58,13 @@ struct Script {
     /// Moved parts may go where no arm can take them; else they never do.
     bool beyond_reach = false;
   };
-  std::optional<Bystander> bystander;
+  std::optional<Disturbance> disturbance;
   /// Part types of which one is laid down outside the workspace, at the end.
   std::vector<std::string> lay_outside;
 };
 
 /// How persons move. Ranges are sampled evenly.
-struct Manner {
+struct HumanMotionParams {
   HandPath::Speeds speeds;
   double speed_spread = 0;  ///< factor 1 -+ spread per person and movement
   double bend = 0;          ///< [m] sideways, at most
@@ -81,18 +81,18 @@ struct Manner {
   double hands_gap = 0;     ///< [m] between the ways of two hands
 };
 
-struct DemonstratorBook {
+struct Demonstrations {
   std::string goal;  ///< of the task's domain, that the persons work for
   /// Scripts of a run that is told none, an episode each.
   std::vector<std::string> default_episodes;
-  Manner manner;
+  HumanMotionParams human_motion;
   std::map<std::string, PlacementRule> rules;
   std::map<std::string, Script> scripts;
 
   /// @throws ConfigError naming file:key; rules that wait for each other are
   /// refused, and so are types that no part or site has.
-  static DemonstratorBook FromConfig(const Config& config,
-                                     const PartTable& table);
+  static Demonstrations FromConfig(const Config& config,
+                                   const PartTable& table);
 };
 
 }  // namespace cell::vtb

@@ -74,7 +74,7 @@ Vtb::Vtb(Bus& bus, const Params& params)
       params_(params),
       steps_per_tick_(StepsPerTick(params.physics.dt)),
       world_(params.parts, params.layout, params.physics),
-      book_(std::make_shared<DemonstratorBook>(params.book)),
+      demonstrations_(std::make_shared<Demonstrations>(params.demonstrations)),
       shapes_(ShapesOf(params.parts)),
       attendance_(params.operator_patience) {
   for (const ArmLayout& arm : params_.layout.arms) {
@@ -103,16 +103,16 @@ Vtb::Vtb(Bus& bus, const Params& params)
 }
 
 void Vtb::Prepare(const Request& request) {
-  episode_.demonstrator.emplace(book_, request.demonstration, request.seed,
-                                world_);
-  episode_.deeds.emplace(book_);
+  episode_.demonstrator.emplace(demonstrations_, request.demonstration,
+                                request.seed, world_);
+  episode_.actions.emplace(demonstrations_);
   for (const auto& arm : arms_) arm->Reset(world_);
   episode_.request = request;
-  episode_.script = &book_->scripts.at(request.demonstration);
-  episode_.bystander.reset();
-  if (episode_.script->bystander) {
-    episode_.bystander.emplace(book_, request.demonstration, request.seed,
-                               world_);
+  episode_.script = &demonstrations_->scripts.at(request.demonstration);
+  episode_.disturbance.reset();
+  if (episode_.script->disturbance) {
+    episode_.disturbance.emplace(demonstrations_, request.demonstration,
+                                 request.seed, world_);
   }
   episode_.robot_state = execution_t::RUNNING;
   episode_.num_still = 0;
@@ -130,8 +130,8 @@ bool Vtb::OnMode(const operating_mode_t& message) {
       message.mode > motion_permit_t::HOLD) {
     return false;
   }
-  attendance_.HearMode(message.mode == motion_permit_t::HOLD, message.reason,
-                       bus_.tick());
+  attendance_.OnMode(message.mode == motion_permit_t::HOLD, message.reason,
+                     bus_.tick());
   return true;
 }
 
@@ -176,9 +176,10 @@ CommandAnswer Vtb::EndByCommand() {
 }
 
 CommandAnswer Vtb::StartByCommand(const Request& request) {
-  if (!book_->scripts.contains(request.demonstration)) {
+  if (!demonstrations_->scripts.contains(request.demonstration)) {
     std::vector<std::string> names;
-    for (const auto& [name, script] : book_->scripts) names.push_back(name);
+    for (const auto& [name, script] : demonstrations_->scripts)
+      names.push_back(name);
     std::ranges::sort(names);
     return CommandAnswer::Refuse(
         fmt::format("the task has no demonstration '{}'; it has {}",
@@ -203,8 +204,8 @@ bool Vtb::OnExecution(const execution_t& message) {
     return false;
   }
   episode_.robot_state = message.state;
-  if (message.state == execution_t::STUCK && episode_.bystander) {
-    episode_.bystander->AskFor(message.help_part, message.help_site);
+  if (message.state == execution_t::STUCK && episode_.disturbance) {
+    episode_.disturbance->AskFor(message.help_part, message.help_site);
   }
   return true;
 }
@@ -220,7 +221,7 @@ void Vtb::OnTick() {
     PublishEpisode(episode_t::START);
   }
   episode_.demonstrator->Update(kTick, world_);
-  if (episode_.bystander) episode_.bystander->Update(kTick, world_);
+  if (episode_.disturbance) episode_.disturbance->Update(kTick, world_);
   for (const auto& arm : arms_) arm->Update(kTick, world_);
   world_.Run(steps_per_tick_);
   for (const auto& arm : arms_) arm->Publish(world_);
@@ -252,7 +253,7 @@ bool Vtb::HasAgentFinished() const {
   if (!episode_.demonstrator->is_done()) return false;
   if (episode_.script->agent == "person") return true;
   return episode_.robot_state != execution_t::RUNNING &&
-         (!episode_.bystander || episode_.bystander->is_done()) &&
+         (!episode_.disturbance || episode_.disturbance->is_done()) &&
          std::ranges::all_of(arms_,
                              [](const auto& arm) { return arm->IsAtRest(); });
 }
@@ -295,7 +296,7 @@ void Vtb::PublishEpisode(int8_t phase) {
   message.id = episode_.id;
   message.phase = phase;
   message.task = params_.task;
-  message.goal = book_->goal;
+  message.goal = demonstrations_->goal;
   message.agent = episode_.script->agent;
   message.demonstration = episode_.request.demonstration;
   message.seed = static_cast<int64_t>(episode_.request.seed);
@@ -328,19 +329,20 @@ void Vtb::PublishTruth() {
 }
 
 void Vtb::PublishDeeds() {
-  static_assert(static_cast<int>(Deed::Kind::kTipped) ==
+  static_assert(static_cast<int>(LabeledAction::Kind::kTipped) ==
                 truth_action_t::TIPPED);
-  static_assert(static_cast<int>(Deed::Mistake::kOutOfWorkspace) ==
+  static_assert(static_cast<int>(LabeledAction::Mistake::kOutOfWorkspace) ==
                 truth_action_t::OUT_OF_WORKSPACE);
-  for (const Deed& deed : episode_.deeds->Update(bus_.now(), world_)) {
+  for (const LabeledAction& action :
+       episode_.actions->Update(bus_.now(), world_)) {
     truth_action_t message{};
-    message.header.utime = deed.place_utime;
-    message.kind = static_cast<int8_t>(deed.kind);
-    message.mistake = static_cast<int8_t>(deed.mistake);
-    message.part = deed.part;
-    message.site = deed.site;
-    message.hand = deed.hand;
-    message.pick_utime = deed.pick_utime;
+    message.header.utime = action.place_utime;
+    message.kind = static_cast<int8_t>(action.kind);
+    message.mistake = static_cast<int8_t>(action.mistake);
+    message.part = action.part;
+    message.site = action.site;
+    message.hand = action.hand;
+    message.pick_utime = action.pick_utime;
     bus_.Publish("TRUTH_ACTIONS", message);
   }
 }
@@ -355,7 +357,7 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   CheckCell(deployment.OfTask("cell.yaml"), task.parts, task.layout);
   params.parts = task.parts;
   params.layout = task.layout;
-  params.book = DemonstratorBook::FromConfig(
+  params.demonstrations = Demonstrations::FromConfig(
       deployment.OfTask("demonstrators.yaml"), params.parts);
 
   const Config config = deployment.ForService("vtb");
@@ -371,7 +373,7 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   LoadArms(config["arms"], &params.arms);
   // Every episode has its own chance.
   for (const std::string& name : demonstration.empty()
-                                     ? params.book.default_episodes
+                                     ? params.demonstrations.default_episodes
                                      : SplitAtPlus(demonstration)) {
     params.episodes.push_back({name, seed + params.episodes.size()});
   }

@@ -14,11 +14,11 @@
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
 #include "common/config/deployment.h"
+#include "services/vtb/action_labeler.h"
 #include "services/vtb/arm_device.h"
 #include "services/vtb/attendance.h"
-#include "services/vtb/bystander.h"
-#include "services/vtb/deeds.h"
 #include "services/vtb/demonstrator.h"
+#include "services/vtb/disturbance_model.h"
 #include "services/vtb/script.h"
 #include "services/vtb/world.h"
 
@@ -32,14 +32,14 @@ class Vtb : public Service {
  public:
   /// An episode.
   struct Request {
-    std::string demonstration;  ///< script of the book
+    std::string demonstration;  ///< script of the demonstrations
     uint64_t seed = 0;
   };
   struct Params {
     std::string task;  ///< name of its folder
     PartTable parts;
     CellLayout layout;
-    DemonstratorBook book;
+    Demonstrations demonstrations;
     PhysicsParams physics;
     ArmDevice::Params arms;
     /// [ticks] that a hold waits for the operator; nothing: for ever.
@@ -48,8 +48,8 @@ class Vtb : public Service {
     int32_t truth_period_ticks = 4;  ///< of TRUTH_*
   };
 
-  /// @throws std::invalid_argument if the book has no such script or a tick is
-  /// not a whole number of the physics' steps.
+  /// @throws std::invalid_argument if the demonstrations has no such script or
+  /// a tick is not a whole number of the physics' steps.
   Vtb(Bus& bus, const Params& params);
 
  private:
@@ -57,10 +57,10 @@ class Vtb : public Service {
   struct Episode {
     int64_t id = 0;  ///< counts from 1
     Request request;
-    const Script* script = nullptr;  ///< of the book
+    const Script* script = nullptr;  ///< of the demonstrations
     std::optional<Demonstrator> demonstrator;
-    std::optional<Bystander> bystander;
-    std::optional<Deeds> deeds;
+    std::optional<DisturbanceModel> disturbance;
+    std::optional<ActionLabeler> actions;
     bool is_running = false;
     int32_t start_tick = 0;
     int8_t robot_state = execution_t::RUNNING;
@@ -93,7 +93,7 @@ class Vtb : public Service {
   Params params_;
   int steps_per_tick_;
   World world_;
-  std::shared_ptr<const DemonstratorBook> book_;
+  std::shared_ptr<const Demonstrations> demonstrations_;
   std::vector<PartShape> shapes_;
   std::vector<std::unique_ptr<ArmDevice>> arms_;
   Attendance attendance_;

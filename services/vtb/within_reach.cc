@@ -20,7 +20,7 @@ CellLayout Narrowed(CellLayout layout) {
 }
 
 ArmScene SceneOf(const ArmScene& empty,
-                 const std::vector<Tabletop::Placed>& placed) {
+                 const std::vector<PlacementSampler::Placed>& placed) {
   ArmScene scene = empty;
   for (const auto& [part, X_WO] : placed) scene.PutPart(part, X_WO);
   return scene;
@@ -43,16 +43,19 @@ bool WithinReach::CanTakeIn(const ArmScene& scene,
   });
 }
 
-bool WithinReach::CanTake(const std::string& part,
-                          const std::vector<Tabletop::Placed>& scene) const {
+bool WithinReach::CanTake(
+    const std::string& part,
+    const std::vector<PlacementSampler::Placed>& scene) const {
   return CanTakeIn(SceneOf(empty_, scene), part);
 }
 
-bool WithinReach::CanTakeAll(const std::vector<Tabletop::Placed>& scene) const {
+bool WithinReach::CanTakeAll(
+    const std::vector<PlacementSampler::Placed>& scene) const {
   const ArmScene arm_scene = SceneOf(empty_, scene);
-  return std::ranges::all_of(scene, [&](const Tabletop::Placed& placed) {
-    return CanTakeIn(arm_scene, placed.part);
-  });
+  return std::ranges::all_of(scene,
+                             [&](const PlacementSampler::Placed& placed) {
+                               return CanTakeIn(arm_scene, placed.part);
+                             });
 }
 
 }  // namespace cell::vtb

@@ -6,7 +6,7 @@
 
 #include "common/arms/arm_scene.h"
 #include "common/arms/reach.h"
-#include "services/vtb/tabletop.h"
+#include "services/vtb/placement_sampler.h"
 
 namespace cell::vtb {
 
@@ -20,8 +20,8 @@ class WithinReach {
   /// True if some arm can take `part` where it lies among the others, with all
   /// arms at home.
   bool CanTake(const std::string& part,
-               const std::vector<Tabletop::Placed>& scene) const;
-  bool CanTakeAll(const std::vector<Tabletop::Placed>& scene) const;
+               const std::vector<PlacementSampler::Placed>& scene) const;
+  bool CanTakeAll(const std::vector<PlacementSampler::Placed>& scene) const;
 
  private:
   bool CanTakeIn(const ArmScene& scene, const std::string& part) const;

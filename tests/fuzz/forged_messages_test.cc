@@ -43,9 +43,9 @@
 #include "common/config/deployment.h"
 #include "common/imaging/rgbd_frame.h"
 #include "common/skills/skill_arguments.h"
-#include "services/cell/scoring/episode_observer.h"
 #include "services/cell/reporting/narrator.h"
 #include "services/cell/running/service_registry.h"
+#include "services/cell/scoring/episode_observer.h"
 
 namespace cell {
 
@@ -360,7 +360,7 @@ TEST_P(ForgedMessages, KillNobodyAndAreCounted) {
         forger.Forge(samples[static_cast<size_t>(i) % samples.size()]);
     targets.Feed(forged);
     if (const auto message = MessageFromWire(channel, forged)) {
-      Narrator().Tell(*message);
+      Narrator().Describe(*message);
       EpisodeObserver().Put(*message);
       Decode<truth_contacts_t>(*message);
       Decode<status_t>(*message);

@@ -45,15 +45,15 @@ PartTable CabinetTable() {
       "parts.yaml"));
 }
 
-Manner Steady() {
-  Manner manner;
-  manner.close_time = 0.2;
-  manner.open_margin = 0.014;
-  manner.insert_speed = 0.1;
-  manner.dwell = 0.1;
-  manner.clearance = 0.04;
-  manner.speed_spread = 0.2;
-  return manner;
+HumanMotionParams Steady() {
+  HumanMotionParams human_motion;
+  human_motion.close_time = 0.2;
+  human_motion.open_margin = 0.014;
+  human_motion.insert_speed = 0.1;
+  human_motion.dwell = 0.1;
+  human_motion.clearance = 0.04;
+  human_motion.speed_spread = 0.2;
+  return human_motion;
 }
 
 class Articulated : public testing::Test {
@@ -69,7 +69,7 @@ class Articulated : public testing::Test {
     Do(hand_action::Rest());
   }
   void Step() {
-    hand_.Update(kTick, world_, tabletop_, random_);
+    hand_.Update(kTick, world_, sampler_, random_);
     world_.Run(4);
     for (const auto& part : {"leaf", "tray"}) {
       auto& [low, high] = range_[part];
@@ -98,7 +98,7 @@ class Articulated : public testing::Test {
   }
 
   World world_{CabinetTable(), ShippedTask().layout, {.dt = 0.002}};
-  Tabletop tabletop_{world_.table(), world_.layout(), 0.04};
+  PlacementSampler sampler_{world_.table(), world_.layout(), 0.04};
   HandActor hand_{kHand, Steady(), world_};
   std::mt19937_64 random_{5};
   std::map<std::string, std::pair<double, double>> range_;
@@ -226,7 +226,7 @@ TEST_F(Articulated, WhatSlidesIsNotOpenedAndWhatIsArticulatedNotPlaced) {
 
 TEST_F(Articulated, ItIsNotScatteredOnTheTable) {
   std::mt19937_64 random(1);
-  EXPECT_THAT(tabletop_.Scatter(random), IsEmpty());
+  EXPECT_THAT(sampler_.Scatter(random), IsEmpty());
 }
 
 /// Moves a gripper with a part's handle at `rate` of the joint [1/s], and tells

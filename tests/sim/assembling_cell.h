@@ -9,9 +9,9 @@
 
 #include "common/bus/bus.h"
 #include "common/bus/sim_bus.h"
-#include "services/cell/scoring/assembly_score.h"
-#include "services/cell/scoring/pose_looks.h"
 #include "services/cell/running/service_registry.h"
+#include "services/cell/scoring/assembly_score.h"
+#include "services/cell/scoring/pose_history.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -85,7 +85,7 @@ class AssemblingCell {
   std::multimap<std::string, std::function<void(const Message&)>> handlers_;
   std::vector<std::function<void(const Message&)>> message_handlers_;
   std::vector<std::function<void()>> tick_handlers_;
-  PoseLooks looks_;
+  PoseHistory looks_;
 };
 
 }  // namespace cell

@@ -24,9 +24,10 @@ class Stage {
   Stage(const std::string& script, uint64_t seed)
       : world_(Load<PartTable>("parts.yaml"), Load<CellLayout>("cell.yaml"),
                {.dt = 0.002}),
-        book_(std::make_shared<DemonstratorBook>(DemonstratorBook::FromConfig(
-            Config::Load(Path("demonstrators.yaml")), world_.table()))),
-        demonstrator_(book_, script, seed, world_) {}
+        demonstrations_(
+            std::make_shared<Demonstrations>(Demonstrations::FromConfig(
+                Config::Load(Path("demonstrators.yaml")), world_.table()))),
+        demonstrator_(demonstrations_, script, seed, world_) {}
 
   void Step() {
     demonstrator_.Update(kTick, world_);
@@ -56,7 +57,7 @@ class Stage {
   }
 
   World world_;
-  std::shared_ptr<const DemonstratorBook> book_;
+  std::shared_ptr<const Demonstrations> demonstrations_;
   Demonstrator demonstrator_;
 };
 

@@ -12,7 +12,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/skills/skill_arguments.h"
 #include "services/cell/scoring/assembly_score.h"
-#include "services/cell/scoring/pose_looks.h"
+#include "services/cell/scoring/pose_history.h"
 #include "services/motion_planner/motion_planner.h"
 #include "services/tracker/tracker.h"
 #include "services/vtb/vtb.h"
@@ -122,17 +122,17 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes,
     return std::make_unique<Driver>(bus, wishes, &outcome.results);
   };
   SimBus bus(roster, std::move(factories));
-  PoseLooks looks;
+  PoseHistory pose_history;
   while (bus.Step()) {
     for (const Message& message : bus.last_messages()) {
       if (message.channel != "TRUTH_POSES") continue;
       truth_poses_t poses{};
       poses.decode(message.bytes->data(), 0,
                    static_cast<int>(message.bytes->size()));
-      looks.Put(std::move(poses));
+      pose_history.Put(std::move(poses));
     }
   }
-  outcome.score = ScoreAssembly(looks.earlier(), looks.last(),
+  outcome.score = ScoreAssembly(pose_history.earlier(), pose_history.last(),
                                 SuccessCriterion::Load(deployment));
   outcome.seconds = bus.last_tick().header.tick * kTickUs * 1e-6;
   return outcome;

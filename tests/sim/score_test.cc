@@ -127,10 +127,11 @@ TEST_P(Score, IsWhatTheRulesOfPlacementsSay) {
   const ShippedTask task;
   const auto success = SuccessCriterion::Load(ShippedDeployment());
   World world(task.parts, task.layout, {.dt = 0.002});
-  const auto book =
-      std::make_shared<DemonstratorBook>(DemonstratorBook::FromConfig(
+  const auto demonstrations =
+      std::make_shared<Demonstrations>(Demonstrations::FromConfig(
           ShippedDeployment().OfTask("demonstrators.yaml"), task.parts));
-  Demonstrator person(book, GetParam().script, GetParam().seed, world);
+  Demonstrator person(demonstrations, GetParam().script, GetParam().seed,
+                      world);
   std::mt19937_64 random(GetParam().seed);
   constexpr double kApart = kTick * kTicksApart;  // [s]
   const auto compare = [&](const Poses& before, const Poses& after) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/vtb/tabletop.h"
+#include "services/vtb/placement_sampler.h"
 
 namespace cell {
 
@@ -91,11 +91,11 @@ TEST(World, PartsStandStillOnTheTable) {
 // fell into it and was thrown out, in these scenes after 20 s.
 TEST(World, NothingJumpsByItself) {
   World world = MakeWorld();
-  const Tabletop tabletop(world.table(), world.layout(), 0.04);
+  const PlacementSampler sampler(world.table(), world.layout(), 0.04);
   for (const uint64_t seed : {1107u, 1111u}) {
     world.Reset();
     std::mt19937_64 random(seed);
-    for (const Tabletop::Placed& placed : tabletop.Scatter(random)) {
+    for (const PlacementSampler::Placed& placed : sampler.Scatter(random)) {
       world.Place(placed.part, placed.X_WO);
     }
     const std::vector<BodyPose> before = world.Bodies();

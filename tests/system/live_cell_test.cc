@@ -109,7 +109,7 @@ TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
       Await([&] { return health_.size() >= names_.size(); }, kAnswerMs));
   EXPECT_TRUE(processes_.TakeDeaths().empty());
   constexpr int64_t kMaxGrowth = 64 << 20;
-  int64_t num_strangers = 0;
+  int64_t num_unknown_senders = 0;
   for (const std::string& name : names_) {
     ASSERT_TRUE(health_.contains(name)) << name;
     EXPECT_LT(health_[name].resident_bytes - before.at(name).resident_bytes,
@@ -117,9 +117,9 @@ TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
         << name;
     EXPECT_EQ(health_[name].header.sender, before.at(name).header.sender)
         << name << " has started again";
-    num_strangers += health_[name].num_strangers;
+    num_unknown_senders += health_[name].num_unknown_senders;
   }
-  EXPECT_GT(num_strangers, 0);
+  EXPECT_GT(num_unknown_senders, 0);
   const ShellResult top = Cell("top --reports 1 --period 10");
   EXPECT_EQ(top.code, 0);
   std::cout << top.output;
@@ -142,11 +142,12 @@ TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
   const auto messages = glimpse.InOrder();
   ASSERT_GT(messages.size(), 1000u);
   for (const Message* message : messages) {
-    const Message* twin = own.Find({message->channel, message->sender,
-                                    message->seq, DigestOf(*message->bytes)});
-    EXPECT_NE(twin, nullptr) << message->channel << " " << message->tick;
+    const Message* duplicate =
+        own.Find({message->channel, message->sender, message->seq,
+                  DigestOf(*message->bytes)});
+    EXPECT_NE(duplicate, nullptr) << message->channel << " " << message->tick;
   }
-  EXPECT_EQ(glimpse.lives().size(), own.lives().size());
+  EXPECT_EQ(glimpse.incarnations().size(), own.incarnations().size());
 
   const ShellResult told = Cell("replay glimpse");
   EXPECT_THAT(told.output, HasSubstr("key frame 0: as it stands"));

@@ -73,8 +73,8 @@ struct Cranfield {
 
   std::vector<Cover> Covers(const GroundAction& action,
                             const State& state) const {
-    return CoversOf(domain->actions()[action.action], action.arguments, state,
-                    domain->vocabulary(), Agent::kPerson);
+    return ApplicableRules(domain->actions()[action.action], action.arguments,
+                           state, domain->vocabulary(), Agent::kPerson);
   }
 
   /// The state after the action succeeds.
@@ -87,7 +87,7 @@ struct Cranfield {
     }
     const NdrRule& rule =
         domain->actions()[action.action].rules[covers[0].rule];
-    return After(rule.outcomes[0], covers[0].binding, state,
+    return Apply(rule.outcomes[0], covers[0].binding, state,
                  domain->vocabulary());
   }
   State Do(const State& state, const std::string& action,

@@ -11,12 +11,12 @@
 #include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
-#include "common/relational/domain.h"
-#include "common/scene/cast.h"
-#include "common/sec/condition_library.h"
-#include "common/scene/key_frame.h"
 #include "common/predicates/predicate_sensor.h"
+#include "common/relational/domain.h"
+#include "common/scene/key_frame.h"
+#include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
+#include "common/sec/condition_library.h"
 #include "common/task/task.h"
 #include "services/tracker/ideal_tracker.h"
 
@@ -166,9 +166,9 @@ class Stage {
     if (pose_a != poses_.end() && pose_b != poses_.end()) {
       distance = PartShape::Distance(shapes_.at(a), pose_a->second,
                                      shapes_.at(b), pose_b->second, 1);
-    } else if (a == Cast::kTable && pose_b != poses_.end()) {
+    } else if (a == SceneObjects::kTable && pose_b != poses_.end()) {
       distance = shapes_.at(b).LowestZ(pose_b->second);
-    } else if (b == Cast::kTable && pose_a != poses_.end()) {
+    } else if (b == SceneObjects::kTable && pose_a != poses_.end()) {
       distance = shapes_.at(a).LowestZ(pose_a->second);
     }
     return distance < 0.004 ? Relation::kTouching : Relation::kNotTouching;

@@ -11,9 +11,9 @@
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/run_log.h"
+#include "common/scene/key_frame.h"
 #include "common/sec/chain_similarities.h"
 #include "common/sec/event_chain.h"
-#include "common/scene/key_frame.h"
 #include "common/task/task.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
@@ -38,7 +38,7 @@ bool IsStart(const Message& message) {
 /// The event chain of each episode of a run. @throws std::runtime_error if it
 /// has no key frames.
 std::vector<EventChain> ChainsOf(const RunFolder& run) {
-  const Cast cast = LoadTask(run.deployment).cast;
+  const SceneObjects scene_objects = LoadTask(run.deployment).cast;
   std::vector<EventChain> chains;
   const RunLog log = RunLog::Load(run.path);
   for (const auto& [tick, entry] : log.ticks()) {
@@ -47,7 +47,7 @@ std::vector<EventChain> ChainsOf(const RunFolder& run) {
       if (message.channel != "KEY_FRAME" || chains.empty()) continue;
       const auto decoded = Decode<key_frame_t>(message);
       const auto frame =
-          decoded ? KeyFrameFromMessage(*decoded, cast) : std::nullopt;
+          decoded ? KeyFrameFromMessage(*decoded, scene_objects) : std::nullopt;
       if (frame) chains.back().Append(frame->relations);
     }
   }

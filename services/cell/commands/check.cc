@@ -13,8 +13,8 @@
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/scoring/motion_check.h"
 #include "services/cell/running/run_folder.h"
+#include "services/cell/scoring/motion_check.h"
 
 namespace cell::cli {
 namespace {

@@ -17,12 +17,12 @@
 #include "common/node/cell_files.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/reporting/run_report.h"
 #include "services/cell/running/demo_registry.h"
 #include "services/cell/running/process_group.h"
 #include "services/cell/running/process_output.h"
 #include "services/cell/running/restart_policy.h"
 #include "services/cell/running/run_options.h"
-#include "services/cell/reporting/run_report.h"
 
 namespace cell::cli {
 namespace {
@@ -86,7 +86,7 @@ class Demo {
       WaitForAny(ports, kLookMs);
       if (ticks) ticks->Drain();
       report_.Follow();
-      PassOnOutputs();
+      ForwardOutputs();
       for (const auto& death : processes_.TakeDeaths()) {
         // After the last tick all end, the clock among the last.
         death.is_clean&& death.name != clock() ? ended_.push_back(death)
@@ -100,10 +100,10 @@ class Demo {
       resident_bytes_ = std::max(resident_bytes_, processes_.ResidentBytes());
     }
     AwaitOthers();
-    PassOnOutputs();
+    ForwardOutputs();
     const int result = report_.Finish();
-    report_.Say(fmt::format("resident memory of all services: {} MB",
-                            resident_bytes_ >> 20));
+    report_.Print(fmt::format("resident memory of all services: {} MB",
+                              resident_bytes_ >> 20));
     return is_failed_ ? 1 : result;
   }
 
@@ -147,12 +147,12 @@ class Demo {
   }
 
   void OnDeath(const ProcessGroup::Death& death) {
-    PassOnOutputs();  // it has said why
+    ForwardOutputs();  // it has said why
     const std::string where = " (see " + LogOf(death.name).string() + ")";
     if (death.name == clock()) {
       if (death.is_clean) return;
       is_failed_ = true;
-      report_.Say(death.name + ": " + death.cause + ", the run ends" + where);
+      report_.Print(death.name + ": " + death.cause + ", the run ends" + where);
       return;
     }
     if (const auto why =
@@ -160,13 +160,13 @@ class Demo {
       throw std::runtime_error(death.name + ": " + death.cause +
                                "; the run ends, because " + *why);
     }
-    report_.Say(death.name + ": " + death.cause + ", restarted" + where);
+    report_.Print(death.name + ": " + death.cause + ", restarted" + where);
     Start(death.name);
   }
 
   // What the processes say is for the person, too.
-  void PassOnOutputs() {
-    for (const std::string& line : outputs_.TakeLines()) report_.Say(line);
+  void ForwardOutputs() {
+    for (const std::string& line : outputs_.TakeLines()) report_.Print(line);
   }
 
   // The others end by themselves after the last tick.

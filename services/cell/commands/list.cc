@@ -34,10 +34,10 @@ Names TasksBeside(const std::filesystem::path& task_dir) {
 /// Those of a person and those in which the robot works.
 std::pair<Names, Names> DemonstrationsOf(const Deployment& deployment,
                                          const Task& task) {
-  const auto book = vtb::DemonstratorBook::FromConfig(
+  const auto demonstrations = vtb::Demonstrations::FromConfig(
       deployment.OfTask("demonstrators.yaml"), task.parts);
   Names by_person, by_robot;
-  for (const auto& [name, script] : book.scripts) {
+  for (const auto& [name, script] : demonstrations.scripts) {
     (script.agent == "robot" ? by_robot : by_person).push_back(name);
   }
   return {by_person, by_robot};

@@ -92,7 +92,7 @@ int CheckLive(const LogOptions& options) {
   }
   std::cout << fmt::format(
       "{}: of a live cell, {} lives\n{}\n", Printable(options.log),
-      log.lives().size(),
+      log.incarnations().size(),
       problems.empty() ? "whole" : fmt::format("{} findings", problems.size()));
   return problems.empty() ? 0 : 1;
 }

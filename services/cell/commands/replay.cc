@@ -27,8 +27,8 @@ struct ReplayOptions {
   bool is_verbose = false;
 };
 
-void Tell(const Message& message, Narrator* narrator) {
-  for (const std::string& line : narrator->Tell(message)) {
+void Describe(const Message& message, Narrator* narrator) {
+  for (const std::string& line : narrator->Describe(message)) {
     std::cout << line << "\n";
   }
 }
@@ -76,10 +76,11 @@ std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
                                            const ServiceFactory& factory) {
   const LiveReplayResult result = ReplayLive(log, run.roster, name, factory);
   if (result.difference) return {false, "DIFFERENT: " + *result.difference};
-  if (result.num_lives == 0) return {true, "keeps no journal in this log"};
+  if (result.num_incarnations == 0)
+    return {true, "keeps no journal in this log"};
   std::string line = fmt::format("{} of {}, byte-identical",
                                  Counted(result.num_messages, "message"),
-                                 Counted(result.num_lives, "start"));
+                                 Counted(result.num_incarnations, "start"));
   if (result.num_unrecorded > 0) {
     line += fmt::format("; {} more that the log lacks", result.num_unrecorded);
   }
@@ -108,7 +109,7 @@ int ReplayLiveRun(const ReplayOptions& options, RunFolder run) {
   Report(problems, "log: ");
   if (!options.is_check) {
     Narrator narrator(options.is_verbose);
-    for (const Message* message : log.InOrder()) Tell(*message, &narrator);
+    for (const Message* message : log.InOrder()) Describe(*message, &narrator);
     return problems.empty() ? 0 : 1;
   }
   Report(log.LateMessages(run.roster), "late: ");
@@ -154,7 +155,8 @@ int RunReplay(const ReplayOptions& options) {
   if (!options.is_check) {
     Narrator narrator(options.is_verbose);
     for (const auto& [k, tick] : log.ticks()) {
-      for (const Message& message : tick.messages) Tell(message, &narrator);
+      for (const Message& message : tick.messages)
+        Describe(*message, &narrator);
     }
     return log.problems().empty() ? 0 : 1;
   }

@@ -7,8 +7,8 @@
 #include "common/bus/sim_bus.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/running/run_options.h"
 #include "services/cell/reporting/run_report.h"
+#include "services/cell/running/run_options.h"
 #include "services/cell/running/service_registry.h"
 
 namespace cell::cli {

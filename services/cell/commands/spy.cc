@@ -10,8 +10,8 @@
 
 #include "services/cell/commands/commands.h"
 #include "services/cell/doctor/host_machine.h"
-#include "services/cell/running/cell_address.h"
 #include "services/cell/doctor/spy_command.h"
+#include "services/cell/running/cell_address.h"
 
 namespace cell::cli {
 namespace {

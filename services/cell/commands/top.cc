@@ -43,7 +43,7 @@ int RunTop(const TopOptions& options) {
   });
   control.Subscribe(
       kHealthChannel, [&](const std::string& channel, Bytes bytes) {
-        traffic.HearControl(channel, std::move(bytes), clock.ElapsedSeconds());
+        traffic.OnControl(channel, std::move(bytes), clock.ElapsedSeconds());
       });
   const auto& stop = StopOnSignals();
   const bool is_redrawn = TakesTerminalCodes(STDOUT_FILENO);

@@ -11,8 +11,8 @@
 #include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
 #include "services/cell/doctor/packages.h"
-#include "services/cell/running/service_registry.h"
 #include "services/cell/doctor/spy_command.h"
+#include "services/cell/running/service_registry.h"
 #include "services/cell/running/task_check.h"
 
 namespace cell::cli {

@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "common/task/task.h"
-#include "services/cell/scoring/assembly_observer.h"
-#include "services/cell/scoring/motion_check.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
+#include "services/cell/scoring/assembly_observer.h"
+#include "services/cell/scoring/motion_check.h"
 
 namespace cell::cli {
 

@@ -9,11 +9,11 @@
 #include "cell/skill_request_t.hpp"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
-#include "services/cell/scoring/assembly_observer.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/skill_driver.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
+#include "services/cell/scoring/assembly_observer.h"
 #include "services/robot_arm/robot_arm.h"
 #include "services/vtb/script.h"
 
@@ -34,38 +34,38 @@ constexpr double kAimAngle = std::numbers::pi / 180;  // [rad]
 struct Bench {
   explicit Bench(const Deployment& deployment)
       : task(LoadTask(deployment)),
-        book(DemonstratorBook::FromConfig(
+        demonstrations(Demonstrations::FromConfig(
             deployment.OfTask("demonstrators.yaml"), task.parts)) {}
   Task task;
-  DemonstratorBook book;
+  Demonstrations demonstrations;
 };
 
 /// Those that can be tried alone: nothing must be in place before. Each with
 /// the part that goes there.
-std::vector<SkillDriver::Wish> Insertions(const Bench& bench) {
-  std::vector<SkillDriver::Wish> wishes;
-  for (const auto& [name, rule] : bench.book.rules) {
+std::vector<SkillDriver::Task> Insertions(const Bench& bench) {
+  std::vector<SkillDriver::Task> tasks;
+  for (const auto& [name, rule] : bench.demonstrations.rules) {
     if (!rule.after.empty()) continue;
     const auto part = std::ranges::find(bench.task.parts.parts(),
                                         rule.part_type, &Part::type);
     for (const Part& host : bench.task.parts.parts()) {
       for (const Site& site : host.sites) {
         if (site.type != rule.site_type) continue;
-        wishes.push_back(
+        tasks.push_back(
             {"", "insert", {{"part", part->name}, {"site", site.name}}});
       }
     }
   }
-  if (wishes.empty()) throw std::runtime_error("no insertion stands alone");
-  return wishes;
+  if (tasks.empty()) throw std::runtime_error("no insertion stands alone");
+  return tasks;
 }
 
 SkillDriver::Params DriverFor(const Bench& bench, uint64_t seed) {
   const auto insertions = Insertions(bench);
   SkillDriver::Params params;
-  params.wishes = {insertions[seed % insertions.size()]};
+  params.tasks = {insertions[seed % insertions.size()]};
   for (const ArmLayout& arm : bench.task.layout.arms) {
-    (arm.X_FS ? params.wishes.front().arm : params.helper) = arm.name;
+    (arm.X_FS ? params.tasks.front().arm : params.helper) = arm.name;
   }
   return params;
 }
@@ -149,15 +149,15 @@ class InsertionEvaluation final : public Evaluation {
         result = Decode<skill_result_t>(message);
       }
     });
-    const SkillDriver::Wish& wish = driver.wishes.front();
+    const SkillDriver::Task& task = driver.tasks.front();
     const Eigen::Isometry3d X_SE =
         AimError{kAimOffset, kAimAngle, trial.seed}.Of(result ? result->id : 0);
     const AssemblyScore score = observer.Score().value();
     return {
-        {"part", wish.arguments.at("part")},
-        {"site", wish.arguments.at("site")},
+        {"part", task.arguments.at("part")},
+        {"site", task.arguments.at("site")},
         {"seated",
-         std::ranges::count(score.seated, wish.arguments.at("site")) > 0},
+         std::ranges::count(score.seated, task.arguments.at("site")) > 0},
         {"succeeded", result && result->outcome == skill_result_t::SUCCEEDED},
         {"reason", result ? result->reason : "no result"},
         {"requests", observer.record().num_requests},

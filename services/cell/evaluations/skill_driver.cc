@@ -29,8 +29,8 @@ void SkillDriver::OnResult(const skill_result_t& result) {
       params_.helper.empty() || std::exchange(has_helped_, true)) {
     return;
   }
-  params_.wishes.push_front(wish_);
-  params_.wishes.push_front(
+  params_.tasks.push_front(wish_);
+  params_.tasks.push_front(
       {params_.helper, "present", {{"part", wish_.arguments.at("part")}}});
 }
 
@@ -41,10 +41,10 @@ void SkillDriver::OnTick() {
   permit.mode = motion_permit_t::EXECUTE;
   bus_.Publish("MOTION_PERMIT", permit);
   if (bus_.tick() < kFirstTick || is_waiting_) return;
-  if (!params_.wishes.empty()) {
-    const Wish wish = params_.wishes.front();
-    params_.wishes.pop_front();
-    return Ask(wish);
+  if (!params_.tasks.empty()) {
+    const Task task = params_.tasks.front();
+    params_.tasks.pop_front();
+    return Ask(task);
   }
   if (std::exchange(is_done_, true)) return;
   execution_t done{};
@@ -53,16 +53,16 @@ void SkillDriver::OnTick() {
   bus_.Publish("EXECUTION", done);
 }
 
-void SkillDriver::Ask(const Wish& wish) {
-  wish_ = wish;
+void SkillDriver::Ask(const Task& task) {
+  wish_ = task;
   is_waiting_ = true;
   skill_request_t request{};
   request.header.utime = bus_.now();
   request.id = ++id_;
   request.deadline_utime = bus_.now() + kDeadlineUs;
-  request.arm = wish.arm;
-  request.skill = wish.skill;
-  SetArguments(wish.arguments, &request);
+  request.arm = task.arm;
+  request.skill = task.skill;
+  SetArguments(task.arguments, &request);
   bus_.Publish("SKILL_REQUEST", request);
 }
 

@@ -15,13 +15,13 @@ namespace cell::cli {
 /// done.
 class SkillDriver final : public Service {
  public:
-  struct Wish {
+  struct Task {
     std::string arm;
     std::string skill;
     SkillArguments arguments;
   };
   struct Params {
-    std::deque<Wish> wishes;
+    std::deque<Task> tasks;
     /// What an arm refuses to insert, this arm presents once; empty: none does.
     std::string helper;
   };
@@ -32,11 +32,11 @@ class SkillDriver final : public Service {
  private:
   void OnResult(const skill_result_t& result);
   void OnTick();
-  void Ask(const Wish& wish);
+  void Ask(const Task& task);
 
   Bus& bus_;
   Params params_;
-  Wish wish_;  // the last
+  Task wish_;  // the last
   bool is_waiting_ = false, has_helped_ = false, is_done_ = false;
   int64_t id_ = 0;
 };

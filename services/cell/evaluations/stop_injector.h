@@ -14,8 +14,8 @@
 #include "common/bus/sim_bus.h"
 #include "common/geometry/truth_poses.h"
 #include "common/skills/skill_arguments.h"
-#include "services/cell/scoring/pose_looks.h"
 #include "services/cell/evaluations/stop_choice.h"
+#include "services/cell/scoring/pose_history.h"
 #include "services/cell/scoring/success_criterion.h"
 
 namespace cell::cli {
@@ -73,7 +73,7 @@ class StopInjector {
   std::map<Key, int> num_tried_;
   std::map<StoppedSkill, int> num_of_;
   std::vector<MadeStop> stops_;
-  PoseLooks looks_;
+  PoseHistory looks_;
   bool is_watching_ = false;                       // the last stop
   std::map<std::string, Eigen::Vector3d> placed_;  // when it was made, in W
 };

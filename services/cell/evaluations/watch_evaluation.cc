@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "services/cell/scoring/episode_score.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/running/sim_run.h"
+#include "services/cell/scoring/episode_score.h"
 
 namespace cell::cli {
 namespace {

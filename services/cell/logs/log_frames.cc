@@ -15,7 +15,7 @@ namespace {
 
 // Which events a damage has cost, by the numbers of its neighbours.
 std::string NumbersLostAt(const LogIndex& index,
-                          const LogIndex::Damage& damage) {
+                          const LogIndex::CorruptRange& damage) {
   const auto& entries = index.entries;
   const auto next = std::partition_point(
       entries.begin(), entries.end(), [&](const LogEntry& entry) {
@@ -51,7 +51,7 @@ LogFinding FindingAt(const LogIndex& index, size_t entry, std::string text) {
 std::vector<LogFinding> FindOddFrames(const LogIndex& index,
                                       bool is_canonical) {
   std::vector<LogFinding> findings;
-  for (const auto& damage : index.damages) {
+  for (const auto& damage : index.corrupt_ranges) {
     findings.push_back(
         {index.files[damage.file].filename().string(), damage.offset,
          damage.length, -1, "",

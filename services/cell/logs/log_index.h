@@ -25,14 +25,14 @@ struct LogEntry {
 
 /// Everything in a log, or in several that one run was cut into, by place.
 struct LogIndex {
-  struct Damage {
+  struct CorruptRange {
     size_t file = 0;
     int64_t offset = 0;
     int64_t length = 0;  ///< [bytes] in which no whole event begins
   };
   std::vector<std::filesystem::path> files;
   std::vector<LogEntry> entries;  ///< in the order of files and places
-  std::vector<Damage> damages;
+  std::vector<CorruptRange> corrupt_ranges;
 };
 
 /// @throws std::runtime_error naming the file if it cannot be opened or holds

@@ -92,22 +92,22 @@ std::string WordsOf(const skill_request_t& request) {
 
 }  // namespace
 
-std::vector<std::string> Narrator::Tell(const Message& message) {
-  if (message.channel == "KEY_FRAME") return TellKeyFrame(message);
-  if (message.channel == "ACTION") return TellAction(message);
-  if (message.channel == "PREDICATES") return TellPredicates(message);
-  if (message.channel == "PLAN") return TellPlan(message);
-  if (message.channel == "ALERT") return TellAlert(message);
-  if (message.channel == "ANSWER") return TellAnswer(message);
-  if (message.channel == "EPISODE") return TellEpisode(message);
-  if (message.channel == "SKILL_REQUEST") return TellRequest(message);
-  if (message.channel == "SKILL_RESULT") return TellResult(message);
-  if (message.channel == "EXECUTION") return TellExecution(message);
-  if (message.channel == "MODE") return TellMode(message);
+std::vector<std::string> Narrator::Describe(const Message& message) {
+  if (message.channel == "KEY_FRAME") return DescribeKeyFrame(message);
+  if (message.channel == "ACTION") return DescribeAction(message);
+  if (message.channel == "PREDICATES") return DescribePredicates(message);
+  if (message.channel == "PLAN") return DescribePlan(message);
+  if (message.channel == "ALERT") return DescribeAlert(message);
+  if (message.channel == "ANSWER") return DescribeAnswer(message);
+  if (message.channel == "EPISODE") return DescribeEpisode(message);
+  if (message.channel == "SKILL_REQUEST") return DescribeRequest(message);
+  if (message.channel == "SKILL_RESULT") return DescribeResult(message);
+  if (message.channel == "EXECUTION") return DescribeExecution(message);
+  if (message.channel == "MODE") return DescribeMode(message);
   return {};
 }
 
-std::vector<std::string> Narrator::TellKeyFrame(const Message& message) {
+std::vector<std::string> Narrator::DescribeKeyFrame(const Message& message) {
   const auto frame = Decode<key_frame_t>(message);
   if (!frame) return {};
   std::vector<std::string> changes;
@@ -130,7 +130,7 @@ std::vector<std::string> Narrator::TellKeyFrame(const Message& message) {
                                : fmt::format("{}", fmt::join(changes, "; "))))};
 }
 
-std::vector<std::string> Narrator::TellAction(const Message& message) {
+std::vector<std::string> Narrator::DescribeAction(const Message& message) {
   const auto action = Decode<action_t>(message);
   if (!action) return {};
   std::string what;
@@ -148,7 +148,7 @@ std::vector<std::string> Narrator::TellAction(const Message& message) {
                fmt::format("{} by {}", what, fmt::join(action->hands, ", ")))};
 }
 
-std::vector<std::string> Narrator::TellPredicates(const Message& message) {
+std::vector<std::string> Narrator::DescribePredicates(const Message& message) {
   const auto predicates = Decode<predicates_t>(message);
   if (!predicates) return {};
   std::vector<std::string> changes;
@@ -169,7 +169,7 @@ std::vector<std::string> Narrator::TellPredicates(const Message& message) {
                                 fmt::join(changes, ", ")))};
 }
 
-std::vector<std::string> Narrator::TellPlan(const Message& message) {
+std::vector<std::string> Narrator::DescribePlan(const Message& message) {
   const auto plan = Decode<plan_t>(message);
   if (!plan) return {};
   std::vector<std::string> lines;
@@ -188,7 +188,7 @@ std::vector<std::string> Narrator::TellPlan(const Message& message) {
   return lines;
 }
 
-std::vector<std::string> Narrator::TellAlert(const Message& message) {
+std::vector<std::string> Narrator::DescribeAlert(const Message& message) {
   const auto alert = Decode<alert_t>(message);
   if (!alert) return {};
   const char* level = alert->level == alert_t::ERROR     ? "ERROR"
@@ -197,7 +197,7 @@ std::vector<std::string> Narrator::TellAlert(const Message& message) {
   return {Line(alert->header.utime, fmt::format("{}: {}", level, alert->text))};
 }
 
-std::vector<std::string> Narrator::TellAnswer(const Message& message) {
+std::vector<std::string> Narrator::DescribeAnswer(const Message& message) {
   const auto answer = Decode<answer_t>(message);
   if (!answer) return {};
   const bool is_accepted = answer->outcome == answer_t::ACCEPTED;
@@ -207,7 +207,7 @@ std::vector<std::string> Narrator::TellAnswer(const Message& message) {
                        is_accepted ? "accepted" : "refused", answer->text))};
 }
 
-std::vector<std::string> Narrator::TellRequest(const Message& message) {
+std::vector<std::string> Narrator::DescribeRequest(const Message& message) {
   const auto request = Decode<skill_request_t>(message);
   if (!request) return {};
   const std::string what =
@@ -215,7 +215,7 @@ std::vector<std::string> Narrator::TellRequest(const Message& message) {
   return {Line(request->header.utime, what)};
 }
 
-std::vector<std::string> Narrator::TellResult(const Message& message) {
+std::vector<std::string> Narrator::DescribeResult(const Message& message) {
   const auto result = Decode<skill_result_t>(message);
   if (!result) return {};
   const bool is_good = result->outcome == skill_result_t::SUCCEEDED;
@@ -229,7 +229,7 @@ std::vector<std::string> Narrator::TellResult(const Message& message) {
   return {Line(result->header.utime, what)};
 }
 
-std::vector<std::string> Narrator::TellExecution(const Message& message) {
+std::vector<std::string> Narrator::DescribeExecution(const Message& message) {
   const auto execution = Decode<execution_t>(message);
   if (!execution) return {};
   if (execution->state == execution_t::DONE) {
@@ -246,7 +246,7 @@ std::vector<std::string> Narrator::TellExecution(const Message& message) {
   return {};
 }
 
-std::vector<std::string> Narrator::TellMode(const Message& message) {
+std::vector<std::string> Narrator::DescribeMode(const Message& message) {
   const auto mode = Decode<operating_mode_t>(message);
   if (!mode || mode->reason == hold_reason_) return {};
   hold_reason_ = mode->reason;
@@ -255,7 +255,7 @@ std::vector<std::string> Narrator::TellMode(const Message& message) {
                                        : "HOLD: " + hold_reason_)};
 }
 
-std::vector<std::string> Narrator::TellEpisode(const Message& message) {
+std::vector<std::string> Narrator::DescribeEpisode(const Message& message) {
   const auto episode = Decode<episode_t>(message);
   if (!episode) return {};
   if (episode->phase == episode_t::RUNNING) return {};

@@ -18,20 +18,20 @@ class Narrator {
  public:
   explicit Narrator(bool is_verbose = false) : is_verbose_(is_verbose) {}
 
-  std::vector<std::string> Tell(const Message& message);
+  std::vector<std::string> Describe(const Message& message);
 
  private:
-  std::vector<std::string> TellKeyFrame(const Message& message);
-  std::vector<std::string> TellAction(const Message& message);
-  std::vector<std::string> TellPredicates(const Message& message);
-  std::vector<std::string> TellPlan(const Message& message);
-  std::vector<std::string> TellAlert(const Message& message);
-  std::vector<std::string> TellAnswer(const Message& message);
-  std::vector<std::string> TellEpisode(const Message& message);
-  std::vector<std::string> TellRequest(const Message& message);
-  std::vector<std::string> TellResult(const Message& message);
-  std::vector<std::string> TellExecution(const Message& message);
-  std::vector<std::string> TellMode(const Message& message);
+  std::vector<std::string> DescribeKeyFrame(const Message& message);
+  std::vector<std::string> DescribeAction(const Message& message);
+  std::vector<std::string> DescribePredicates(const Message& message);
+  std::vector<std::string> DescribePlan(const Message& message);
+  std::vector<std::string> DescribeAlert(const Message& message);
+  std::vector<std::string> DescribeAnswer(const Message& message);
+  std::vector<std::string> DescribeEpisode(const Message& message);
+  std::vector<std::string> DescribeRequest(const Message& message);
+  std::vector<std::string> DescribeResult(const Message& message);
+  std::vector<std::string> DescribeExecution(const Message& message);
+  std::vector<std::string> DescribeMode(const Message& message);
 
   bool is_verbose_;
   std::map<std::pair<std::string, std::string>, int8_t> relations_;

@@ -12,9 +12,9 @@
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "common/text/printable.h"
+#include "services/cell/pictures/scene_picture.h"
 #include "services/cell/scoring/assembly_score.h"
 #include "services/cell/scoring/episode_score.h"
-#include "services/cell/pictures/scene_picture.h"
 
 namespace cell::cli {
 
@@ -24,7 +24,7 @@ double SimSeconds(int32_t tick) {
   return tick * kTickUs * 1e-6;
 }
 
-std::string TellWatched(const EpisodeRecord& record) {
+std::string SummarizeWatched(const EpisodeRecord& record) {
   const EpisodeScore score = Score(record);
   return fmt::format(
       "recognised {} of {}; {} taken back, {} only moved; {}\n{}",
@@ -63,11 +63,11 @@ std::string WhyNot(const EpisodeRecord& record) {
   return "nobody knows why";
 }
 
-std::string TellExecuted(const EpisodeRecord& record,
-                         const SuccessCriterion& success) {
-  if (!record.looks.has_both()) return "nothing was done";
-  const AssemblyScore score =
-      ScoreAssembly(record.looks.earlier(), record.looks.last(), success);
+std::string SummarizeExecuted(const EpisodeRecord& record,
+                              const SuccessCriterion& success) {
+  if (!record.pose_history.has_both()) return "nothing was done";
+  const AssemblyScore score = ScoreAssembly(
+      record.pose_history.earlier(), record.pose_history.last(), success);
   // Sites with a thread, and others: seated, all.
   int num[2][2] = {};
   for (const bool is_seated : {true, false}) {
@@ -105,7 +105,7 @@ void RunReport::Follow() {
       if (const auto tick = Decode<tick_t>(*message)) digests_.Put(*tick);
     }
     if (is_hash_) continue;
-    for (const std::string& line : narrator_.Tell(*message)) Say(line);
+    for (const std::string& line : narrator_.Describe(*message)) Print(line);
   }
   const double elapsed = progress_.ElapsedSeconds();
   progress_.Show(fmt::format(
@@ -118,14 +118,14 @@ void RunReport::Follow() {
 
 std::string RunReport::DrawPicture(const EpisodeRecord& record,
                                    const std::string& name) const {
-  if (record.looks.is_empty()) return "none: the log has no poses";
+  if (record.pose_history.is_empty()) return "none: the log has no poses";
   const auto path = run_.path / name;
   const auto num_pixels =
-      DrawScene(run_.deployment, record.looks.last(), {}, path);
+      DrawScene(run_.deployment, record.pose_history.last(), {}, path);
   // Hands and arms are named with a dot, "<hand>.<box>".
   std::string least;
   int least_pixels = 0;
-  for (const body_pose_t& body : record.looks.last().bodies) {
+  for (const body_pose_t& body : record.pose_history.last().bodies) {
     if (body.name.find('.') != std::string::npos) continue;
     const auto it = num_pixels.find(body.name);
     const int num = it == num_pixels.end() ? 0 : it->second;
@@ -137,7 +137,7 @@ std::string RunReport::DrawPicture(const EpisodeRecord& record,
                      Printable(least), Counted(least_pixels, "pixel"));
 }
 
-void RunReport::Say(const std::string& line) {
+void RunReport::Print(const std::string& line) {
   progress_.Clear();
   (is_hash_ ? std::cerr : std::cout) << line << std::endl;
 }
@@ -163,8 +163,8 @@ int RunReport::Finish() {
     std::cout << fmt::format("\nepisode {}, {}:\n", ++number,
                              Printable(record.episode.demonstration));
     std::cout << (record.episode.agent == "robot"
-                      ? TellExecuted(record, success)
-                      : TellWatched(record))
+                      ? SummarizeExecuted(record, success)
+                      : SummarizeWatched(record))
               << "\n";
     std::cout << "picture "
               << DrawPicture(record, fmt::format("episode-{}.png", number))

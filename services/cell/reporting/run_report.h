@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <string>
 
-#include "services/cell/scoring/episode_observer.h"
 #include "services/cell/logs/channel_digests.h"
 #include "services/cell/logs/log_follower.h"
 #include "services/cell/reporting/narrator.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
 #include "services/cell/running/run_options.h"
+#include "services/cell/scoring/episode_observer.h"
 
 namespace cell::cli {
 
@@ -22,7 +22,7 @@ class RunReport {
   /// Tells what has been written since the last call.
   void Follow();
   /// A word from the launcher, between the lines.
-  void Say(const std::string& line);
+  void Print(const std::string& line);
   /// Sums up, draws the end of each episode into the run folder.
   /// @return 0 if the last episode came to its end, and none waited in vain
   /// for a person.

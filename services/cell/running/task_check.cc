@@ -10,8 +10,8 @@
 #include "common/bus/sim_bus.h"
 #include "common/task/task.h"
 #include "common/text/nearest.h"
-#include "services/cell/scoring/success_criterion.h"
 #include "services/cell/running/service_registry.h"
+#include "services/cell/scoring/success_criterion.h"
 #include "services/robot_arm/skill_settings.h"
 #include "services/robot_arm/skills/skill_catalog.h"
 #include "services/vtb/script.h"
@@ -30,20 +30,22 @@ Names GoalNames(const Domain& domain) {
   return names;
 }
 
-void CheckDemonstrators(const Config& config, const DemonstratorBook& book,
+void CheckDemonstrators(const Config& config,
+                        const Demonstrations& demonstrations,
                         const Domain& domain, const CellLayout& layout) {
-  if (domain.FindGoal(book.goal) == nullptr) {
-    config["goal"].Fail("domain.yaml has no goal '" + book.goal + "'" +
-                        NamesInstead(book.goal, GoalNames(domain)));
+  if (domain.FindGoal(demonstrations.goal) == nullptr) {
+    config["goal"].Fail("domain.yaml has no goal '" + demonstrations.goal +
+                        "'" +
+                        NamesInstead(demonstrations.goal, GoalNames(domain)));
   }
-  for (const auto& [name, script] : book.scripts) {
+  for (const auto& [name, script] : demonstrations.scripts) {
     const Config entry = config["scripts"][name];
     if (script.num_hands > static_cast<int>(layout.hands.size())) {
       entry["hands"].Fail(fmt::format("cell.yaml has {} hands of persons",
                                       layout.hands.size()));
     }
-    if (script.bystander && layout.hands.empty()) {
-      entry["bystander"].Fail("cell.yaml has no hand of a person");
+    if (script.disturbance && layout.hands.empty()) {
+      entry["disturbance"].Fail("cell.yaml has no hand of a person");
     }
   }
 }
@@ -60,13 +62,14 @@ void CheckRoster(const Config& config, const CellFiles& files) {
   }
 }
 
-void CheckDemonstration(const DemonstratorBook& book,
+void CheckDemonstration(const Demonstrations& demonstrations,
                         const std::string& demonstration) {
   std::istringstream names(demonstration);
   for (std::string name; std::getline(names, name, '+');) {
-    if (book.scripts.contains(name)) continue;
+    if (demonstrations.scripts.contains(name)) continue;
     Names known;
-    for (const auto& [script, entry] : book.scripts) known.push_back(script);
+    for (const auto& [script, entry] : demonstrations.scripts)
+      known.push_back(script);
     throw std::invalid_argument(
         fmt::format("--demonstration {}: no script of demonstrators.yaml is "
                     "named '{}'{}",
@@ -128,13 +131,15 @@ void CheckTask(const CellFiles& files, const RunRequest& request) {
   const Deployment& deployment = files.deployment;
   const Task task = LoadTask(deployment);
   SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
-  const Config book_config = deployment.OfTask("demonstrators.yaml");
-  const auto book = DemonstratorBook::FromConfig(book_config, task.parts);
+  const Config demonstrations_config = deployment.OfTask("demonstrators.yaml");
+  const auto demonstrations =
+      Demonstrations::FromConfig(demonstrations_config, task.parts);
   SuccessCriterion::FromConfig(deployment.OfTask("success.yaml"), task.domain,
                                task.parts);
 
-  CheckDemonstrators(book_config, book, task.domain, task.layout);
-  CheckDemonstration(book, request.demonstration);
+  CheckDemonstrators(demonstrations_config, demonstrations, task.domain,
+                     task.layout);
+  CheckDemonstration(demonstrations, request.demonstration);
   CheckHelpSteps(task.domain, request.help_steps);
   CheckSkills(deployment.OfTask("domain.yaml"), task);
   const Config roster = deployment.ForService("roster");

@@ -36,8 +36,7 @@ std::optional<Message> Traffic::Hear(const std::string& channel, Bytes bytes) {
   return *message;
 }
 
-void Traffic::HearControl(const std::string& channel, Bytes bytes,
-                          double now_s) {
+void Traffic::OnControl(const std::string& channel, Bytes bytes, double now_s) {
   const auto message = MessageFromWire(channel, std::move(bytes));
   const auto health = message ? Decode<health_t>(*message) : std::nullopt;
   health ? Hear(*health, now_s) : static_cast<void>(++num_foreign_);
@@ -110,16 +109,17 @@ Traffic::Report Traffic::Take(double seconds) {
           1e-6 * static_cast<double>(last.cpu_us - health.cpu_us_before) /
           (health.last_s - health.before_s);
     }
-    report.processes.push_back({.name = name,
-                                .processor = health.processor,
-                                .resident_bytes = last.resident_bytes,
-                                .num_lost = SumOf(last, "lost:"),
-                                .num_late = SumOf(last, "late:"),
-                                .num_strangers = last.num_strangers});
+    report.processes.push_back(
+        {.name = name,
+         .processor = health.processor,
+         .resident_bytes = last.resident_bytes,
+         .num_lost = SumOf(last, "lost:"),
+         .num_late = SumOf(last, "late:"),
+         .num_unknown_senders = last.num_unknown_senders});
     health.cpu_us_before = last.cpu_us;
     health.before_s = health.last_s;
   }
-  report.num_foreign = num_foreign_ + arrivals_.num_strangers();
+  report.num_foreign = num_foreign_ + arrivals_.num_unknown_senders();
   return report;
 }
 

@@ -32,7 +32,7 @@ class Traffic {
     int64_t resident_bytes = 0;
     int64_t num_lost = 0;  ///< messages that did not reach it, in all
     int64_t num_late = 0;
-    int64_t num_strangers = 0;
+    int64_t num_unknown_senders = 0;
   };
   struct Report {
     std::vector<Channel> channels;   // by name
@@ -47,7 +47,7 @@ class Traffic {
   /// What came on the bus: the message, nothing if it is none of the cell's.
   std::optional<Message> Hear(const std::string& channel, Bytes bytes);
   /// What came on the control port, when [s].
-  void HearControl(const std::string& channel, Bytes bytes, double now_s);
+  void OnControl(const std::string& channel, Bytes bytes, double now_s);
 
   /// True if the next report knows the processor time of every service, or no
   /// cell is heard.

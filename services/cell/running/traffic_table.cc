@@ -30,7 +30,7 @@ std::string WideTable(const Traffic::Report& report) {
     text += fmt::format("{:{}} {:>6} {:8.1f} {:7} {:7} {:9}\n",
                         PrintableName(p.name, kMaxName), kNameColumns,
                         Percent(p.processor), Megabytes(p.resident_bytes),
-                        p.num_lost, p.num_late, p.num_strangers);
+                        p.num_lost, p.num_late, p.num_unknown_senders);
   }
   text += fmt::format("\n{:{}} {:>8} {:>10} {:>7} {:>9}\n", "channel",
                       kNameColumns, "Hz", "KB/s", "lost", "rejected");
@@ -50,9 +50,9 @@ std::string NarrowTable(const Traffic::Report& report, int columns) {
     text += fmt::format("{}\n CPU {} %, {:.1f} MB\n",
                         PrintableName(p.name, max_name), Percent(p.processor),
                         Megabytes(p.resident_bytes));
-    if (p.num_lost + p.num_late + p.num_strangers == 0) continue;
+    if (p.num_lost + p.num_late + p.num_unknown_senders == 0) continue;
     text += fmt::format(" {} lost, {} late\n {} strangers\n", p.num_lost,
-                        p.num_late, p.num_strangers);
+                        p.num_late, p.num_unknown_senders);
   }
   text += "\n";
   for (const Traffic::Channel& c : report.channels) {

@@ -9,7 +9,7 @@
 #include "cell/execution_t.hpp"
 #include "common/bus/message.h"
 #include "services/cell/scoring/assembly_score.h"
-#include "services/cell/scoring/pose_looks.h"
+#include "services/cell/scoring/pose_history.h"
 
 namespace cell::cli {
 
@@ -37,7 +37,7 @@ class AssemblyObserver {
   /// Messages in canonical order. Those that do not decode are passed over.
   void Put(const Message& message);
   const Record& record() const { return record_; }
-  /// By the last looks. Nothing before there have been enough.
+  /// By the last pose_history. Nothing before there have been enough.
   std::optional<AssemblyScore> Score() const;
 
  private:
@@ -48,7 +48,7 @@ class AssemblyObserver {
   const SuccessCriterion& success_;
   Record record_;
   std::set<int64_t> inserts_;  // ids of requests
-  PoseLooks looks_;
+  PoseHistory looks_;
   bool is_to_compare_ = false;    // with the next look
   std::set<std::string> seated_;  // sites, as of the last comparison
 };

@@ -65,7 +65,7 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
   AssemblyScore score;
   for (const Literal& literal : success.literals) {
     std::set<std::string> placed;
-    for (const int index : AtomsOf(literal, {}, success.vocabulary)) {
+    for (const int index : Groundings(literal, {}, success.vocabulary)) {
       const GroundAtom atom = success.vocabulary.Atom(index);
       const std::string& part = success.PartOf(atom).name;
       const bool is_in_place = IsInPlace(atom, success, after);

@@ -42,7 +42,7 @@ void EpisodeObserver::Put(const Message& message) {
   } else if (message.channel == "TRUTH_POSES") {
     // What lies about between two episodes belongs to none.
     auto poses = Decode<truth_poses_t>(message);
-    if (poses && !record.has_ended) record.looks.Put(*std::move(poses));
+    if (poses && !record.has_ended) record.pose_history.Put(*std::move(poses));
   } else if (message.channel == "EPISODE") {
     const auto episode = Decode<episode_t>(message);
     if (!episode) return;

@@ -17,7 +17,7 @@
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
 #include "common/bus/message.h"
-#include "services/cell/scoring/pose_looks.h"
+#include "services/cell/scoring/pose_history.h"
 
 namespace cell::cli {
 
@@ -33,7 +33,7 @@ struct EpisodeRecord {
   std::vector<skill_request_t> requests;
   std::vector<skill_result_t> results;
   std::optional<execution_t> execution;  ///< the last
-  PoseLooks looks;
+  PoseHistory pose_history;
   int64_t last_utime = 0;
   bool has_ended = false;  ///< EPISODE END was heard
 };

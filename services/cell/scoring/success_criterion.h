@@ -8,8 +8,8 @@
 #include "common/config/config.h"
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
-#include "common/relational/domain.h"
 #include "common/predicates/seat.h"
+#include "common/relational/domain.h"
 
 namespace cell::cli {
 

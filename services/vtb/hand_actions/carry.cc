@@ -64,7 +64,7 @@ class CarryStage final : public HandStage {
     Aim aim;
     aim.symmetry = BestSymmetry(world.table().Find(part_)->symmetry_order,
                                 world.PoseOf(part_).linear(), X_WS.linear());
-    const double most = context.hand.manner.aim_error;
+    const double most = context.hand.human_motion.aim_error;
     std::uniform_real_distribution<double> error(-most, most);
     aim.error.x() = error(context.random);
     aim.error.y() = error(context.random);
@@ -81,7 +81,7 @@ class CarryStage final : public HandStage {
     aim.X_WO_table.linear() *=
         AngleAxisd(target_.tilt, between_fingers).toRotationMatrix();
     aim.X_WO_table.translation().z() -=
-        context.tabletop.ExtentOf(part_).Lowest(aim.X_WO_table);
+        context.sampler.ExtentOf(part_).Lowest(aim.X_WO_table);
     return aim;
   }
 

@@ -12,9 +12,10 @@ class ExtractStage final : public HandStage {
     const double way = context.world.table().FindSite(site_)->approach;
     const Eigen::Vector3d way_out =
         PoseOfSite(site_, context.world).linear().col(2);
-    GoStraight(Shifted(hand.X_WG, way * way_out),
-               way / (hand.manner.insert_speed * hand.Spread(context.random)),
-               context);
+    GoStraight(
+        Shifted(hand.X_WG, way * way_out),
+        way / (hand.human_motion.insert_speed * hand.Spread(context.random)),
+        context);
   }
 
  private:

@@ -12,7 +12,7 @@ class CloseFingers final : public HandStage {
   }
   Progress Act(HandContext& context) const override {
     HandState& hand = context.hand;
-    if (!Follow(context, hand.manner.close_time)) return {};
+    if (!Follow(context, hand.human_motion.close_time)) return {};
     Hands& hands = context.world.hands();
     if (hands.IsHeld(part_)) {  // somebody else was quicker
       HandAction next = Retreat();
@@ -32,7 +32,7 @@ class CloseFingers final : public HandStage {
 class Dwell final : public HandStage {
  public:
   Progress Act(HandContext& context) const override {
-    return {context.run.time >= context.hand.manner.dwell};
+    return {context.run.time >= context.hand.human_motion.dwell};
   }
 };
 

@@ -53,9 +53,10 @@ class Lower final : public HandStage {
                                     -Beyond(context.world) * hand.aim.way_out) *
                             hand.X_GO.inverse();
     const double way = (X_WG.translation() - hand.X_WG.translation()).norm();
-    GoStraight(X_WG,
-               way / (hand.manner.insert_speed * hand.Spread(context.random)),
-               context);
+    GoStraight(
+        X_WG,
+        way / (hand.human_motion.insert_speed * hand.Spread(context.random)),
+        context);
   }
 
  private:

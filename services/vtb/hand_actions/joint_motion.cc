@@ -34,7 +34,8 @@ class ToLimitStage final : public HandStage {
     const double beyond = (is_upper_ ? 1 : -1) * kBeyond / LeverOf(part);
     const double way = Limit(*part.joint) + beyond - from;
     const HandState& hand = context.hand;
-    const double speed = hand.manner.speeds.along * hand.Spread(context.random);
+    const double speed =
+        hand.human_motion.speeds.along * hand.Spread(context.random);
     const double duration =
         std::max(kShortest, std::abs(way) * LeverOf(part) / speed);
     context.run.path = PathOf(*part.joint, way, duration, context);

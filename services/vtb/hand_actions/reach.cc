@@ -13,10 +13,10 @@ class Approach final : public HandStage {
  public:
   void Begin(HandContext& context) const override {
     const HandState& hand = context.hand;
-    GoStraight(
-        Shifted(hand.X_WG, -kApproach * hand.X_WG.linear().col(2)),
-        kApproach / (hand.manner.insert_speed * hand.Spread(context.random)),
-        context);
+    GoStraight(Shifted(hand.X_WG, -kApproach * hand.X_WG.linear().col(2)),
+               kApproach / (hand.human_motion.insert_speed *
+                            hand.Spread(context.random)),
+               context);
   }
 };
 
@@ -30,7 +30,7 @@ class ReachStage final : public HandStage {
     const cell::Grasp& grasp = grasps[std::uniform_int_distribution<size_t>(
         0, grasps.size() - 1)(context.random)];
     hand.grasp_width = grasp.width;
-    context.run.opening_to = grasp.width + 2 * hand.manner.open_margin;
+    context.run.opening_to = grasp.width + 2 * hand.human_motion.open_margin;
     const Isometry3d X_WG =
         Nearer(context.world.PoseOf(part_) * grasp.X_OG, hand);
     GoOver(Shifted(X_WG, Standoff(context.world) * X_WG.linear().col(2)),

@@ -21,8 +21,8 @@ class Relax final : public HandStage {
                context);
   }
   Progress Act(HandContext& context) const override {
-    return {Follow(context,
-                   context.run.path.duration() + context.hand.manner.dwell)};
+    return {Follow(context, context.run.path.duration() +
+                                context.hand.human_motion.dwell)};
   }
 
  private:
@@ -35,10 +35,11 @@ class OpenFingers final : public HandStage {
     HandState& hand = context.hand;
     context.world.hands().Release(hand.name);
     hand.roll = 0;
-    context.run.opening_to = hand.grasp_width + 2 * hand.manner.open_margin;
+    context.run.opening_to =
+        hand.grasp_width + 2 * hand.human_motion.open_margin;
   }
   Progress Act(HandContext& context) const override {
-    return {Follow(context, context.hand.manner.close_time)};
+    return {Follow(context, context.hand.human_motion.close_time)};
   }
 };
 

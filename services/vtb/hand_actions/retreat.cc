@@ -9,10 +9,10 @@ class RetreatStage final : public HandStage {
  public:
   void Begin(HandContext& context) const override {
     const HandState& hand = context.hand;
-    GoStraight(
-        Shifted(hand.X_WG, kRetreat * hand.X_WG.linear().col(2)),
-        kRetreat / (2 * hand.manner.insert_speed * hand.Spread(context.random)),
-        context);
+    GoStraight(Shifted(hand.X_WG, kRetreat * hand.X_WG.linear().col(2)),
+               kRetreat / (2 * hand.human_motion.insert_speed *
+                           hand.Spread(context.random)),
+               context);
   }
 };
 

@@ -24,7 +24,7 @@ class TurnStage final : public HandStage {
       hand.failures.push_back(part_);
       return {.is_done = true};
     }
-    hand.roll -= hand.manner.turn_rate * context.dt;
+    hand.roll -= hand.human_motion.turn_rate * context.dt;
     world.hands().Roll(hand.name, hand.roll);
     // The hand goes with the part along its axis.
     const Isometry3d X_WS = PoseOfSite(target_.site, world);

@@ -12,7 +12,7 @@
 #include "common/kinematics/arm_models.h"
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
-#include "services/vtb/tabletop.h"
+#include "services/vtb/placement_sampler.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -154,11 +154,11 @@ TEST_F(CellReach, WhatIsScrewedInTurnsFarEnough) {
 
 TEST_F(CellReach, EveryScatteredPartIsWithinReachOfAnArm) {
   std::mt19937_64 random(7);
-  const Tabletop tabletop(task_.parts, task_.layout, 0.040);
+  const PlacementSampler sampler(task_.parts, task_.layout, 0.040);
   std::map<std::string, int> num_taken;
   int num_parts = 0, num_either = 0;
   for (int i = 0; i < 40; ++i) {
-    const auto placed = tabletop.Scatter(random);
+    const auto placed = sampler.Scatter(random);
     ArmScene scene(task_.parts, task_.layout);
     for (const auto& [part, X_WO] : placed) scene.PutPart(part, X_WO);
     for (const auto& [part, X_WO] : placed) {
@@ -181,11 +181,11 @@ TEST_F(CellReach, EveryScatteredPartIsWithinReachOfAnArm) {
 
 TEST_F(CellReach, WhatIsTakenFromTheTableFindsItsWayToTheSite) {
   std::mt19937_64 random(11);
-  const Tabletop tabletop(task_.parts, task_.layout, 0.040);
+  const PlacementSampler sampler(task_.parts, task_.layout, 0.040);
   const ArmLayout& arm = Arm("right");
   int num_parts = 0, num_transfers = 0;
   for (int i = 0; i < 10; ++i) {
-    const auto placed = tabletop.Scatter(random);
+    const auto placed = sampler.Scatter(random);
     Assemble([&](ArmScene scene, const std::string& part, const Site&,
                  const PlaceTarget& target) {
       for (const auto& [other, X_WO] : placed) {

@@ -49,7 +49,7 @@ TEST(Arrivals, AForgedSeqDoesNotBlockTheTrueOnes) {
   EXPECT_FALSE(arrivals.Take(From(1, INT32_MAX)));
   EXPECT_FALSE(arrivals.Take(From(5001, 77)));
   EXPECT_TRUE(arrivals.Take(From(1, 1)));
-  EXPECT_EQ(arrivals.num_strangers(), 2);
+  EXPECT_EQ(arrivals.num_unknown_senders(), 2);
 }
 
 TEST(Arrivals, AForgedFirstMessageDoesNotBlockTheTrueOnes) {
@@ -65,7 +65,7 @@ TEST(Arrivals, RefusesWhoIsNotInTheRoster) {
   EXPECT_FALSE(arrivals.Take(From(3, 0)));
   EXPECT_FALSE(arrivals.Take(From(-1, 0)));
   EXPECT_FALSE(arrivals.Take(From(1, -1)));
-  EXPECT_EQ(arrivals.num_strangers(), 3);
+  EXPECT_EQ(arrivals.num_unknown_senders(), 3);
 }
 
 TEST(Arrivals, DoesNotGrowWithoutBound) {
@@ -73,7 +73,7 @@ TEST(Arrivals, DoesNotGrowWithoutBound) {
   for (int i = 0; i < 10'000; ++i) {
     arrivals.Take(From(1, 0, ("C" + std::to_string(i)).c_str()));
   }
-  EXPECT_GT(arrivals.num_strangers(), 5'000);
+  EXPECT_GT(arrivals.num_unknown_senders(), 5'000);
 }
 
 }  // namespace

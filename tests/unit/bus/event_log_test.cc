@@ -30,7 +30,7 @@ class EventLog : public testing::Test {
     reader.Finish();
     std::vector<std::string> channels;
     while (const auto event = reader.Next()) channels.push_back(event->channel);
-    num_damages_ = reader.damages().size();
+    num_damages_ = reader.corrupt_ranges().size();
     return channels;
   }
   void Write(int num_events) {
@@ -175,7 +175,7 @@ TEST_F(EventLog, AGrowingOneGivesEachEventOnce) {
     ASSERT_TRUE(reader.Next());
     EXPECT_FALSE(reader.Next());
   }
-  EXPECT_TRUE(reader.damages().empty());
+  EXPECT_TRUE(reader.corrupt_ranges().empty());
 }
 
 // A toy cell's run as the recorder writes it: by tick, in canonical order.

@@ -47,7 +47,7 @@ std::vector<std::string> Trimmed(std::vector<std::string> lines) {
 TEST(Narrator, TellsTheNextStepAndHowManyFollow) {
   Narrator narrator;
   const auto tell = [&](const std::vector<std::string>& actions) {
-    return Trimmed(narrator.Tell(MessageOf("PLAN", PlanOf(actions))));
+    return Trimmed(narrator.Describe(MessageOf("PLAN", PlanOf(actions))));
   };
   EXPECT_THAT(tell({"A", "B", "C"}),
               ElementsAre("next: A(), then 2 more steps"));
@@ -59,7 +59,7 @@ TEST(Narrator, TellsTheNextStepAndHowManyFollow) {
 
 TEST(Narrator, TellsWholePlansOnRequestOnly) {
   Narrator narrator(true);
-  EXPECT_THAT(Trimmed(narrator.Tell(MessageOf("PLAN", PlanOf({"A", "B"})))),
+  EXPECT_THAT(Trimmed(narrator.Describe(MessageOf("PLAN", PlanOf({"A", "B"})))),
               ElementsAre("next: A(), then 1 more step",
                           "plan, 2.00 actions expected: A(), B()",
                           "possible now: A(), B()"));
@@ -75,11 +75,11 @@ TEST(Narrator, TellsWhatHasChangedNotWhatThereIs) {
   }
   predicates.num_literals = 2;
   Narrator brief, verbose(true);
-  EXPECT_THAT(brief.Tell(MessageOf("PREDICATES", predicates)), IsEmpty());
-  EXPECT_THAT(Trimmed(verbose.Tell(MessageOf("PREDICATES", predicates))),
+  EXPECT_THAT(brief.Describe(MessageOf("PREDICATES", predicates)), IsEmpty());
+  EXPECT_THAT(Trimmed(verbose.Describe(MessageOf("PREDICATES", predicates))),
               ElementsAre("state: Calm(), Open()"));
   predicates.literals[1].value = literal_t::FALSE_;
-  EXPECT_THAT(Trimmed(brief.Tell(MessageOf("PREDICATES", predicates))),
+  EXPECT_THAT(Trimmed(brief.Describe(MessageOf("PREDICATES", predicates))),
               ElementsAre("now: not Open()"));
 }
 
@@ -89,10 +89,10 @@ TEST(Narrator, TellsTheFormulaOfAQuestionOnRequestOnly) {
   execution.text = "please put the shaft back";
   execution.formula = "Free(base.shaft) is false";
   Narrator brief, verbose(true);
-  const auto lines = brief.Tell(MessageOf("EXECUTION", execution));
+  const auto lines = brief.Describe(MessageOf("EXECUTION", execution));
   ASSERT_THAT(lines, SizeIs(1));
   EXPECT_THAT(lines[0], HasSubstr("QUESTION: please put the shaft back"));
-  EXPECT_THAT(verbose.Tell(MessageOf("EXECUTION", execution))[1],
+  EXPECT_THAT(verbose.Describe(MessageOf("EXECUTION", execution))[1],
               HasSubstr("since Free(base.shaft) is false"));
 }
 

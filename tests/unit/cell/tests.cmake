@@ -2,7 +2,7 @@ cell_add_test(unit/cell/success_criterion_test.cc LINK cell_cli cell_sec cell_tr
 cell_add_test(unit/cell/assembly_score_test.cc LINK cell_cli cell_vtb cell_sec)
 cell_add_test(unit/cell/motion_check_test.cc LINK cell_cli cell_arms cell_geometry cell_sec cell_tracker)
 cell_add_test(unit/cell/assembly_observer_test.cc LINK cell_cli cell_vtb cell_geometry cell_sec cell_tracker)
-cell_add_test(unit/cell/pose_looks_test.cc LINK cell_cli)
+cell_add_test(unit/cell/pose_history_test.cc LINK cell_cli)
 cell_add_test(unit/cell/log_audit_test.cc LINK cell_cli cell_recorder fmt::fmt)
 cell_add_test(unit/cell/doctor_parts_test.cc LINK cell_cli)
 cell_add_test(unit/cell/stop_choice_test.cc LINK cell_cli)

@@ -30,7 +30,7 @@ Bytes Health(int64_t cpu_us, int32_t sender = 1) {
 
 TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
   Traffic traffic(kNumServices);
-  traffic.HearControl("HEALTH", Health(4'000'000), 0.25);
+  traffic.OnControl("HEALTH", Health(4'000'000), 0.25);
   EXPECT_FALSE(traffic.KnowsProcessorTimes());
   const Traffic::Report first = traffic.Take(1);
   ASSERT_EQ(first.processes.size(), 1u);
@@ -38,7 +38,7 @@ TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
   EXPECT_THAT(TrafficTable(first, kColumns),
               testing::ContainsRegex("tracker +\\? "));
 
-  traffic.HearControl("HEALTH", Health(4'500'000), 2.25);
+  traffic.OnControl("HEALTH", Health(4'500'000), 2.25);
   EXPECT_TRUE(traffic.KnowsProcessorTimes());
   EXPECT_EQ(traffic.Take(0.1).processes[0].processor, 0.25);
   // Without another one it is what was known last.
@@ -47,10 +47,10 @@ TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
 
 TEST(Traffic, ANewLifeCountsFromItsFirstHealth) {
   Traffic traffic(kNumServices);
-  traffic.HearControl("HEALTH", Health(9'000'000), 1);
-  traffic.HearControl("HEALTH", Health(100'000, 1001), 2);
+  traffic.OnControl("HEALTH", Health(9'000'000), 1);
+  traffic.OnControl("HEALTH", Health(100'000, 1001), 2);
   EXPECT_FALSE(traffic.KnowsProcessorTimes());
-  traffic.HearControl("HEALTH", Health(600'000, 1001), 3);
+  traffic.OnControl("HEALTH", Health(600'000, 1001), 3);
   EXPECT_EQ(traffic.Take(1).processes[0].processor, 0.5);
 }
 

@@ -130,11 +130,11 @@ TEST_P(ReachableParts, AreReportedJustWhenThereIsAWayToTheEnd) {
 }
 
 TEST_P(ReachableParts, AreReportedByAnArmWhereScriptsLayThem) {
-  const auto book = DemonstratorBook::FromConfig(
+  const auto demonstrations = Demonstrations::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task_.parts);
   const WithinReach reach(task_.parts, task_.layout);
   const auto& places =
-      book.scripts.at("execution_to_the_left").bystander->places;
+      demonstrations.scripts.at("execution_to_the_left").disturbance->places;
   ASSERT_THAT(places, testing::Not(IsEmpty()));
   for (const Eigen::Vector2d& place : places) {
     int num_laid = 0;
@@ -150,12 +150,13 @@ TEST_P(ReachableParts, AreReportedByAnArmWhereScriptsLayThem) {
 
 TEST_P(ReachableParts, AreReportedByAnArmWhereTheyAreScattered) {
   const WithinReach reach(task_.parts, task_.layout);
-  const Tabletop tabletop(task_.parts, task_.layout, 0.040);
+  const PlacementSampler sampler(task_.parts, task_.layout, 0.040);
   for (int i = 0; i < NumPoses(); ++i) {
-    const auto placed = tabletop.Scatter(
+    const auto placed = sampler.Scatter(
         random_, [&](const auto& scene) { return reach.CanTakeAll(scene); });
     ASSERT_THAT(placed, SizeIs(9));
-    const auto at = std::ranges::find(placed, part_, &Tabletop::Placed::part);
+    const auto at =
+        std::ranges::find(placed, part_, &PlacementSampler::Placed::part);
     EXPECT_TRUE(IsAnyReported(With(at->X_WO)))
         << at->X_WO.translation().transpose();
   }

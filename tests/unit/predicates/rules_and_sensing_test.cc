@@ -19,9 +19,9 @@ using Eigen::Vector2d;
 constexpr double kTouching = 2e-3;  // [m]
 
 /// The parts where they are after some actions, and what is sensed of them.
-class Tabletop {
+class PlacementSampler {
  public:
-  Tabletop() : shapes_(ShapesOf(task_.parts)) {
+  PlacementSampler() : shapes_(ShapesOf(task_.parts)) {
     const std::map<std::string, Vector2d> places = {
         {"face_plate", {-0.20, -0.50}},  {"separator", {0.12, -0.28}},
         {"pendulum", {0.45, -0.45}},     {"head", {0.10, -0.45}},
@@ -49,7 +49,7 @@ class Tabletop {
     Scene scene;
     for (size_t i = 0; i < X_WO_.size(); ++i) {
       Scene::Item item;
-      item.sight = Sight::kSeen;
+      item.visibility = Visibility::kSeen;
       item.X_WO = X_WO_[i];
       for (size_t k = 0; k < X_WO_.size(); ++k) {
         item.touches.push_back(
@@ -94,8 +94,8 @@ class RulesAndSensing : public testing::Test {
     const std::string& part = objects[action.arguments[0]].name;
     return (part == "head" ? "pendulum." : "base.") + part;
   }
-  void Seat(Tabletop& tabletop, const GroundAction& action) const {
-    tabletop.Seat(
+  void Seat(PlacementSampler& sampler, const GroundAction& action) const {
+    sampler.Seat(
         cranfield_.domain->vocabulary().objects()[action.arguments[0]].name,
         SiteOf(action));
   }
@@ -106,13 +106,13 @@ class RulesAndSensing : public testing::Test {
 TEST_F(RulesAndSensing, AgreeOnEveryStateOfEveryOrder) {
   std::mt19937_64 random(7);
   for (int run = 0; run < 10; ++run) {
-    Tabletop tabletop;
+    PlacementSampler sampler;
     State state = cranfield_.Start();
-    EXPECT_EQ(Difference(tabletop.Sense(), state), "");
+    EXPECT_EQ(Difference(sampler.Sense(), state), "");
     for (const GroundAction& action : cranfield_.RandomOrder(random)) {
-      Seat(tabletop, action);
+      Seat(sampler, action);
       state = cranfield_.Do(state, action);
-      EXPECT_EQ(Difference(tabletop.Sense(), state), "")
+      EXPECT_EQ(Difference(sampler.Sense(), state), "")
           << "after " << cranfield_.domain->Show(action);
     }
   }
@@ -124,9 +124,9 @@ TEST_F(RulesAndSensing, AgreeThatAMistakeCanBeUndone) {
       {"separator", "RemoveSeparator"}, {"pendulum", "RemovePendulum"}};
   PlanSearch search = cranfield_.Search();
   for (const auto& [part, remove] : mistakes) {
-    Tabletop tabletop;
-    tabletop.Seat(part, "base." + part);
-    const State sensed = tabletop.Sense();
+    PlacementSampler sampler;
+    sampler.Seat(part, "base." + part);
+    const State sensed = sampler.Sense();
     const State after = cranfield_.Do(sensed, remove, {part});
     EXPECT_EQ(Difference(cranfield_.Start(), after), "") << part;
     const Plan plan = search.Find(sensed);
@@ -140,15 +140,15 @@ TEST_F(RulesAndSensing, AgreeThatACoverPlacedTooEarlyComesOff) {
   std::mt19937_64 random(8);
   PlanSearch search = cranfield_.Search();
   for (int run = 0; run < 10; ++run) {
-    Tabletop tabletop;
+    PlacementSampler sampler;
     State state = cranfield_.Start();
     const auto order = cranfield_.RandomOrder(random);
     for (size_t i = 0; i + 2 < order.size(); ++i) {
-      Seat(tabletop, order[i]);
+      Seat(sampler, order[i]);
       state = cranfield_.Do(state, order[i]);
     }
-    tabletop.Seat("face_plate", "base.face_plate");
-    const State sensed = tabletop.Sense();
+    sampler.Seat("face_plate", "base.face_plate");
+    const State sensed = sampler.Sense();
     const State after =
         cranfield_.Do(sensed, "RemoveFacePlate", {"face_plate"});
     EXPECT_EQ(Difference(state, after), "")

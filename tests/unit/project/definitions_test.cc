@@ -80,14 +80,14 @@ std::vector<std::string> TwinsIn(const Sources& sources) {
       files_of[type].insert(name);
     });
   }
-  std::vector<std::string> twins;
+  std::vector<std::string> duplicates;
   for (const auto& [type, files] : files_of) {
     if (files.size() < 2) continue;
-    std::string twin = type + ":";
-    for (const std::string& file : files) twin += " " + file;
-    twins.push_back(twin);
+    std::string duplicate = type + ":";
+    for (const std::string& file : files) duplicate += " " + file;
+    duplicates.push_back(duplicate);
   }
-  return twins;
+  return duplicates;
 }
 
 TEST(Definitions, AreOneForEachTypeOfTheProgramsAndMessages) {

@@ -168,7 +168,8 @@ TEST(Domain, ADeicticReferenceBindsTheOnlyObject) {
   const Vocabulary& v = domain.vocabulary();
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   const State state = With(domain, {"At(b1, p1)", "At(b2, p1)"});
-  const auto covers = CoversOf(move, arguments, state, v, Agent::kPerson);
+  const auto covers =
+      ApplicableRules(move, arguments, state, v, Agent::kPerson);
   ASSERT_EQ(covers.size(), 1u);
   EXPECT_EQ(After(move.rules[0].outcomes[0], covers[0].binding, state, v),
             With(domain, {"At(b1, p2)", "At(b2, p1)"}));
@@ -181,7 +182,8 @@ TEST(Domain, ARuleWithoutAUniqueReferenceDoesNotApply) {
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   for (const State& state :
        {With(domain, {}), With(domain, {"At(b1, p1)", "At(b1, p2)"})}) {
-    EXPECT_TRUE(CoversOf(move, arguments, state, v, Agent::kPerson).empty());
+    EXPECT_TRUE(
+        ApplicableRules(move, arguments, state, v, Agent::kPerson).empty());
   }
 }
 
@@ -191,7 +193,8 @@ TEST(Domain, AnEffectOnEachReachesAllOfWhichItsConditionHeld) {
   const Vocabulary& v = domain.vocabulary();
   const Binding arguments = {*v.FindObject("b1"), *v.FindObject("p2")};
   const State state = With(domain, {"At(b1, p1)", "At(b2, p1)"});
-  const auto covers = CoversOf(move, arguments, state, v, Agent::kPerson);
+  const auto covers =
+      ApplicableRules(move, arguments, state, v, Agent::kPerson);
   EXPECT_EQ(After(move.rules[0].outcomes[1], covers.at(0).binding, state, v),
             With(domain, {"At(b1, p1)", "At(b2, p1)", "Open(b1)", "Open(b2)"}));
 }
@@ -329,12 +332,12 @@ TEST(DomainOfRobots, AddsWhatARobotNeedsToEachRuleAndLeavesThePersonAlone) {
   const Vocabulary& v = domain.vocabulary();
   const Binding b1 = {*v.FindObject("b1")};
   const State bare = With(domain, {});
-  EXPECT_EQ(CoversOf(put, b1, bare, v, Agent::kPerson).size(), 1u);
-  EXPECT_TRUE(CoversOf(put, b1, bare, v, Agent::kRobot).empty());
+  EXPECT_EQ(ApplicableRules(put, b1, bare, v, Agent::kPerson).size(), 1u);
+  EXPECT_TRUE(ApplicableRules(put, b1, bare, v, Agent::kRobot).empty());
   const State near = With(domain, {"CanTake(right, b1)"});
-  EXPECT_EQ(CoversOf(put, b1, near, v, Agent::kRobot).size(), 1u);
+  EXPECT_EQ(ApplicableRules(put, b1, near, v, Agent::kRobot).size(), 1u);
   const State held = With(domain, {"Held(b1, right)"});
-  const auto covers = CoversOf(put, b1, held, v, Agent::kRobot);
+  const auto covers = ApplicableRules(put, b1, held, v, Agent::kRobot);
   ASSERT_EQ(covers.size(), 1u);
   EXPECT_EQ(
       After(put.rules[covers[0].rule].outcomes[0], covers[0].binding, held, v),

@@ -116,9 +116,9 @@ TEST(Rendering, AnEmptyViewIsBackgroundWithoutDepth) {
 }
 
 TEST(Rendering, RefusesBodiesThatCannotBe) {
-  auto twins = TableAndBox();
-  twins[1].name = "other";
-  EXPECT_THROW(RenderScene{twins}, std::invalid_argument);
+  auto duplicates = TableAndBox();
+  duplicates[1].name = "other";
+  EXPECT_THROW(RenderScene{duplicates}, std::invalid_argument);
   auto empty = TableAndBox();
   empty[2].triangles.clear();
   EXPECT_THROW(RenderScene{empty}, std::invalid_argument);

@@ -25,7 +25,7 @@ MotionPlan Answer(const MotionRequest& request) {
   return plan;
 }
 
-MotionPlan Way(const MotionRequest& request, double to) {
+MotionPlan ClearanceColumn(const MotionRequest& request, double to) {
   MotionPlan plan = Answer(request);
   plan.waypoints = {Joints::Zero(), Joints::Constant(to)};
   return plan;
@@ -76,7 +76,7 @@ TEST(FollowWay, StandsUntilThereIsAWayThenFollowsIt) {
   EXPECT_EQ(stage.Step(reading, 0.008, &command), State::kWaiting);
   EXPECT_FALSE(stage.HasOtherWays());
   EXPECT_FALSE(stage.Ahead(0.3, command.q));
-  client.Put(Way(client.TakeRequests().at(0), 0.2));
+  client.Put(ClearanceColumn(client.TakeRequests().at(0), 0.2));
   State state = State::kWaiting;
   for (int i = 0; i < 500; ++i) {
     state = stage.Step(reading, 0.008, &command);

@@ -126,9 +126,9 @@ TEST_F(SecMessagesTest, ForgedTracksAreRefused) {
   }
 }
 
-TEST(Cast, RefusesTwinNames) {
-  EXPECT_THROW(Cast(PartTable(), {"table"}), std::invalid_argument);
-  EXPECT_THROW(Cast(PartTable(), {"a", "a"}), std::invalid_argument);
+TEST(SceneObjects, RefusesTwinNames) {
+  EXPECT_THROW(SceneObjects(PartTable(), {"table"}), std::invalid_argument);
+  EXPECT_THROW(SceneObjects(PartTable(), {"a", "a"}), std::invalid_argument);
 }
 
 }  // namespace

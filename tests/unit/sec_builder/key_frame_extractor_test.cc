@@ -35,9 +35,9 @@ parts:
 
   explicit KeyFrameExtractorTest(
       const std::vector<std::string>& hands = {"hand"})
-      : cast_(Parts(), hands) {
-    for (const std::string& name : cast_.names()) {
-      if (name == Cast::kTable) continue;
+      : scene_objects_(Parts(), hands) {
+    for (const std::string& name : scene_objects_.names()) {
+      if (name == SceneObjects::kTable) continue;
       tracks_.tracks.push_back(
           {name, Track::State::kTracked, 1, Eigen::Isometry3d::Identity(), {}});
     }
@@ -47,11 +47,11 @@ parts:
     Proximities proximities;
     const auto is_seen = [&](const std::string& name) {
       const Track* track = tracks_.Find(name);
-      return name == Cast::kTable ||
+      return name == SceneObjects::kTable ||
              (track && track->state == Track::State::kTracked);
     };
-    for (const std::string& a : cast_.names()) {
-      for (const std::string& b : cast_.names()) {
+    for (const std::string& a : scene_objects_.names()) {
+      for (const std::string& b : scene_objects_.names()) {
         if (a >= b || !is_seen(a) || !is_seen(b)) continue;
         const bool touch = touching_.contains({a, b});
         proximities[{a, b}] = {touch ? 0 : 0.015};
@@ -78,10 +78,10 @@ parts:
     }
   }
 
-  const Cast cast_;
+  const SceneObjects scene_objects_;
   std::set<ObjectPair> touching_ = {{"a", "table"}, {"b", "table"}};
   Tracks tracks_;
-  KeyFrameExtractor extractor_{cast_, {}};
+  KeyFrameExtractor extractor_{scene_objects_, {}};
 };
 
 TEST_F(KeyFrameExtractorTest, KeyFrameZeroIsTheInitialTopology) {
@@ -172,7 +172,7 @@ TEST_F(KeyFrameExtractorTest, AShortTouchIsNoKeyFrame) {
 TEST_F(KeyFrameExtractorTest, ChangesThatCancelOutWithinOneKeyFrameAreNone) {
   KeyFrameExtractor::Params params;
   params.pair.confirm_frames = 1;
-  extractor_ = KeyFrameExtractor(cast_, params);
+  extractor_ = KeyFrameExtractor(scene_objects_, params);
   Next(10);
   touching_.insert({"a", "hand"});
   Next();
@@ -213,7 +213,7 @@ TEST_F(KeyFrameExtractorTest, WhileFrozenTheLastRelationHolds) {
 TEST_F(KeyFrameExtractorTest, IsInvariantToATimeShift) {
   std::vector<std::vector<KeyFrame>> runs;
   for (const int64_t shift : {int64_t{0}, int64_t{1'700'000'000'000'000}}) {
-    extractor_ = KeyFrameExtractor(cast_, {});
+    extractor_ = KeyFrameExtractor(scene_objects_, {});
     tracks_.utime = shift;
     touching_ = {};
     std::vector<KeyFrame>& run = runs.emplace_back();

@@ -46,9 +46,9 @@ Roster TheRoster() {
   return Roster::FromConfig(Config::Parse(kRoster, "roster.yaml"));
 }
 
-HoldTable Table(const std::string& text) {
+StopPolicy Table(const std::string& text) {
   const Config config = Config::Parse(text, "supervisor.yaml");
-  HoldTable table = HoldTable::FromConfig(config, TheRoster(), "supervisor");
+  StopPolicy table = StopPolicy::FromConfig(config, TheRoster(), "supervisor");
   config.Finish();
   return table;
 }
@@ -422,7 +422,7 @@ std::string ErrorOf(const std::string& what, const std::string& instead) {
   return "";
 }
 
-TEST(HoldTable, NamesEveryServiceOfTheRosterAndNoOther) {
+TEST(StopPolicy, NamesEveryServiceOfTheRosterAndNoOther) {
   EXPECT_THAT(Table(kTable).rows, SizeIs(4));
   EXPECT_THAT(ErrorOf("  eyes:", "  ears:"),
               HasSubstr("services.ears: is not in the roster"));
@@ -435,7 +435,7 @@ TEST(HoldTable, NamesEveryServiceOfTheRosterAndNoOther) {
       HasSubstr("lacks 'diary'"));
 }
 
-TEST(HoldTable, PassesOverThoseThatDoNotTakePart) {
+TEST(StopPolicy, PassesOverThoseThatDoNotTakePart) {
   const auto num_rows = [](const std::string& option) {
     const Roster roster = Roster::FromConfig(Config::Parse(
         kRoster + ("  - {name: lamp, latency: 1" + option + "}\n"),
@@ -445,7 +445,7 @@ TEST(HoldTable, PassesOverThoseThatDoNotTakePart) {
                              "means: it is dark}\n"),
         "supervisor.yaml");
     const size_t num =
-        HoldTable::FromConfig(config, roster, "supervisor").rows.size();
+        StopPolicy::FromConfig(config, roster, "supervisor").rows.size();
     config.Finish();
     return num;
   };
@@ -453,7 +453,7 @@ TEST(HoldTable, PassesOverThoseThatDoNotTakePart) {
   EXPECT_EQ(num_rows(""), 5u);
 }
 
-TEST(HoldTable, RefusesUnknownWordsAndKeys) {
+TEST(StopPolicy, RefusesUnknownWordsAndKeys) {
   EXPECT_THAT(ErrorOf("at_boundary", "soon"), HasSubstr("'soon' is none of"));
   EXPECT_THAT(ErrorOf("level: error", "level: bad"),
               HasSubstr("'bad' is none of"));
@@ -465,7 +465,7 @@ TEST(HoldTable, RefusesUnknownWordsAndKeys) {
               HasSubstr("silence_ms"));
 }
 
-TEST(HoldTable, TheShippedOneFitsTheShippedRoster) {
+TEST(StopPolicy, TheShippedOneFitsTheShippedRoster) {
   Stepper stepper({.name = "supervisor"});
   EXPECT_NE(MakeSupervisor(
                 stepper, Deployment{CELL_SOURCE_DIR "/deploy/config", "", ""}),

@@ -29,31 +29,32 @@ std::string ErrorOf(const std::string& what, const std::string& by) {
   const PartTable table =
       PartTable::FromConfig(Config::Load(std::string(kTask) + "parts.yaml"));
   try {
-    DemonstratorBook::FromConfig(Config::Parse(text, "book.yaml"), table);
+    Demonstrations::FromConfig(Config::Parse(text, "demonstrations.yaml"),
+                               table);
     return "";
   } catch (const ConfigError& error) {
     return error.what();
   }
 }
 
-TEST(DemonstratorBook, LoadsTheShippedTask) {
+TEST(Demonstrations, LoadsTheShippedTask) {
   EXPECT_EQ(ErrorOf("goal: ", "goal: "), "");
 }
 
-TEST(DemonstratorBook, RefusesWhatItDoesNotKnowByFileAndKey) {
+TEST(Demonstrations, RefusesWhatItDoesNotKnowByFileAndKey) {
   using testing::StartsWith;
   EXPECT_THAT(ErrorOf("bend: ", "bent: "),
-              StartsWith("book.yaml:manner.bend: missing"));
+              StartsWith("demonstrations.yaml:human_motion.bend: missing"));
   EXPECT_THAT(ErrorOf("after: [shaft]", "after: [shift]"),
-              StartsWith("book.yaml:placements.pendulum.after"));
+              StartsWith("demonstrations.yaml:placements.pendulum.after"));
   EXPECT_THAT(ErrorOf("after: [shaft]", "after: [head]"),
               testing::HasSubstr("waits for itself"));
   EXPECT_THAT(ErrorOf("site: shaft_hole", "site: shaft_whole"),
-              StartsWith("book.yaml:placements.shaft.site"));
+              StartsWith("demonstrations.yaml:placements.shaft.site"));
   EXPECT_THAT(ErrorOf("place: [round_pegs]", "place: [head]"),
-              StartsWith("book.yaml:scripts.two_pegs.place"));
+              StartsWith("demonstrations.yaml:scripts.two_pegs.place"));
   EXPECT_THAT(ErrorOf("[assembly, execution]", "[assembly, excution]"),
-              testing::AllOf(StartsWith("book.yaml:default[1]"),
+              testing::AllOf(StartsWith("demonstrations.yaml:default[1]"),
                              testing::HasSubstr("did you mean 'execution'?")));
 }
 

@@ -1,4 +1,4 @@
-#include "services/supervisor/supervision.h"
+#include "services/supervisor/safety_monitor.h"
 
 #include <fmt/format.h>
 
@@ -7,27 +7,27 @@
 
 namespace cell::supervisor {
 
-Supervision::Supervision(HoldTable table, int64_t now)
+SafetyMonitor::SafetyMonitor(StopPolicy table, int64_t now)
     : operator_hold_(table.operator_hold) {
   for (HoldRow& row : table.rows) rows_.push_back({std::move(row), now});
 }
 
-void Supervision::Hear(const std::string& service, int64_t now) {
+void SafetyMonitor::Hear(const std::string& service, int64_t now) {
   const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) {
     return row.row.service == service;
   });
   if (it != rows_.end()) it->heard = now;
 }
 
-void Supervision::HearLife(const std::string& service, int32_t life) {
-  const auto [known, is_first] = lives_.try_emplace(service, life);
+void SafetyMonitor::OnIncarnation(const std::string& service, int32_t life) {
+  const auto [known, is_first] = incarnations_.try_emplace(service, life);
   if (is_first || life <= known->second) return;
   known->second = life;
-  Note(AlertLevel::kWarning, Notice::Cause::kRestarted,
+  Note(AlertLevel::kWarning, Event::Cause::kRestarted,
        service + " has started again; what it was doing is lost");
 }
 
-std::vector<Notice> Supervision::Update(int64_t now) {
+std::vector<Event> SafetyMonitor::Update(int64_t now) {
   for (Row& row : rows_) {
     const bool is_silent = now - row.heard > row.row.silence_us;
     if (is_silent == row.is_silent) continue;
@@ -35,7 +35,7 @@ std::vector<Notice> Supervision::Update(int64_t now) {
     const std::string& name = row.row.service;
     if (!is_silent) {
       silent_.erase(name);
-      Note(AlertLevel::kInfo, Notice::Cause::kSilent, name + " is back");
+      Note(AlertLevel::kInfo, Event::Cause::kSilent, name + " is back");
       continue;
     }
     const auto seconds = [](int64_t us) {
@@ -45,36 +45,36 @@ std::vector<Notice> Supervision::Update(int64_t now) {
         "{} has been silent for {:.3f} s, of {:.3f} s allowed: {}", name,
         seconds(now - row.heard), seconds(row.row.silence_us), row.row.meaning);
     if (row.row.hold != Hold::kNone) silent_[name] = {row.row.hold, text};
-    Note(row.row.level, Notice::Cause::kSilent, text);
+    Note(row.row.level, Event::Cause::kSilent, text);
   }
-  return std::exchange(notices_, {});
+  return std::exchange(events_, {});
 }
 
-void Supervision::HoldByOperator() {
+void SafetyMonitor::HoldByOperator() {
   const bool is_new =
       operators_
           .try_emplace("", Cause{operator_hold_, "the operator holds the cell"})
           .second;
   if (!is_new) return;
-  Note(AlertLevel::kInfo, Notice::Cause::kHeld, operators_.at("").reason);
+  Note(AlertLevel::kInfo, Event::Cause::kHeld, operators_.at("").reason);
 }
 
-void Supervision::StopProtectively(const std::string& arm,
-                                   const std::string& why) {
+void SafetyMonitor::StopProtectively(const std::string& arm,
+                                     const std::string& why) {
   const std::string reason = fmt::format(
       "the {} arm has made a protective stop: {}; look, then resume", arm, why);
   if (!operators_.try_emplace(arm, Cause{Hold::kAtOnce, reason}).second) return;
-  Note(AlertLevel::kError, Notice::Cause::kHeld, reason);
+  Note(AlertLevel::kError, Event::Cause::kHeld, reason);
 }
 
-void Supervision::ResumeByOperator() {
+void SafetyMonitor::ResumeByOperator() {
   if (operators_.empty()) return;
   operators_.clear();
-  Note(AlertLevel::kInfo, Notice::Cause::kHeld,
+  Note(AlertLevel::kInfo, Event::Cause::kHeld,
        "the operator lets the cell go on");
 }
 
-Operation Supervision::operation() const {
+Operation SafetyMonitor::operation() const {
   Operation operation;
   if (agent_) {
     operation.mode = *agent_ == Agent::kRobot ? Mode::kExecute : Mode::kMonitor;
@@ -91,9 +91,9 @@ Operation Supervision::operation() const {
   return operation;
 }
 
-void Supervision::Note(AlertLevel level, Notice::Cause cause,
-                       std::string text) {
-  notices_.push_back({level, cause, std::move(text)});
+void SafetyMonitor::Note(AlertLevel level, Event::Cause cause,
+                         std::string text) {
+  events_.push_back({level, cause, std::move(text)});
 }
 
 }  // namespace cell::supervisor

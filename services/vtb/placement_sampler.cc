@@ -1,4 +1,4 @@
-#include "services/vtb/tabletop.h"
+#include "services/vtb/placement_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +57,9 @@ void ForEachEdge(const Outline& outline, Visit visit) {
 }
 
 // The scene with a part where it is to lie.
-std::vector<Tabletop::Placed> With(std::vector<Tabletop::Placed> scene,
-                                   const Tabletop::Placed& placed) {
+std::vector<PlacementSampler::Placed> With(
+    std::vector<PlacementSampler::Placed> scene,
+    const PlacementSampler::Placed& placed) {
   std::erase_if(scene,
                 [&](const auto& other) { return other.part == placed.part; });
   scene.push_back(placed);
@@ -116,7 +117,8 @@ double PartExtent::RadiusAcross(const Isometry3d& X_WO) const {
   return r;
 }
 
-Tabletop::Tabletop(const PartTable& table, const CellLayout& layout, double gap)
+PlacementSampler::PlacementSampler(const PartTable& table,
+                                   const CellLayout& layout, double gap)
     : area_(layout.parts_area), gap_(gap) {
   for (const Part& part : table.parts()) {
     extents_.emplace(part.name, PartExtent(part));
@@ -127,7 +129,7 @@ Tabletop::Tabletop(const PartTable& table, const CellLayout& layout, double gap)
       [&](const std::string& name) { return extents_.at(name).radius; });
 }
 
-Outline Tabletop::OutlineAt(const Placed& placed) const {
+Outline PlacementSampler::OutlineAt(const Placed& placed) const {
   // Upright or not, the hull of what is seen from above.
   Outline points;
   for (const Vector3d& p : extents_.at(placed.part).vertices) {
@@ -136,7 +138,7 @@ Outline Tabletop::OutlineAt(const Placed& placed) const {
   return ConvexHull(points);
 }
 
-std::optional<Tabletop::Placed> Tabletop::TryPlace(
+std::optional<PlacementSampler::Placed> PlacementSampler::TryPlace(
     const std::string& part, const std::vector<Outline>& taken,
     std::mt19937_64& random) const {
   std::uniform_real_distribution<double> unit(-0.5, 0.5);
@@ -162,8 +164,8 @@ std::optional<Tabletop::Placed> Tabletop::TryPlace(
   return Placed{part, X_WO};
 }
 
-std::vector<Tabletop::Placed> Tabletop::Scatter(std::mt19937_64& random,
-                                                const Accept& accept) const {
+std::vector<PlacementSampler::Placed> PlacementSampler::Scatter(
+    std::mt19937_64& random, const Accept& accept) const {
   constexpr int kAttempts = 1000, kTriesPerPart = 300;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<Placed> scene;
@@ -184,11 +186,9 @@ std::vector<Tabletop::Placed> Tabletop::Scatter(std::mt19937_64& random,
       "the parts do not fit into the parts area so that they can be taken");
 }
 
-std::optional<Isometry3d> Tabletop::FreePlace(const std::string& part,
-                                              const std::vector<Placed>& scene,
-                                              double min_way,
-                                              std::mt19937_64& random,
-                                              const Accept& accept) const {
+std::optional<Isometry3d> PlacementSampler::FreePlace(
+    const std::string& part, const std::vector<Placed>& scene, double min_way,
+    std::mt19937_64& random, const Accept& accept) const {
   std::vector<Outline> taken;
   Vector3d here = Vector3d::Zero();
   for (const Placed& placed : scene) {

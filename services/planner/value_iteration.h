@@ -14,9 +14,9 @@ namespace cell::planner {
 /// end components, which would hold up an iteration from above (Haddad and
 /// Monmege, TCS 2018), and C from 0 climbs to the least fixed point, since
 /// every action costs 1.
-class GoalValues {
+class ValueIteration {
  public:
-  /// Of a choice: as of a state when this action is done first.
+  /// Of a candidate: as of a state when this action is done first.
   struct Value {
     double probability = 0;
     double expected_actions = 0;  ///< 0 if the probability is
@@ -28,14 +28,14 @@ class GoalValues {
   void Clear() { values_.clear(); }
 
   const Value& Of(int state) const { return values_.at(state); }
-  Value Of(const StateSpace::Choice& choice, int state) const;
-  /// Position among the state's choices of the best one, the first of equals;
-  /// -1 if the goal cannot be reached or is reached.
+  Value Of(const StateSpace::Candidate& candidate, int state) const;
+  /// Position among the state's candidates of the best one, the first of
+  /// equals; -1 if the goal cannot be reached or is reached.
   int Best(const StateSpace& space, int state) const;
 
  private:
-  double ProbabilityOf(const StateSpace::Choice& choice) const;
-  double ActionsOf(const StateSpace::Choice& choice, int state) const;
+  double ProbabilityOf(const StateSpace::Candidate& candidate) const;
+  double ActionsOf(const StateSpace::Candidate& candidate, int state) const;
 
   std::vector<Value> values_;
 };

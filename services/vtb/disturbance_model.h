@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "services/vtb/hand_actor.h"
+#include "services/vtb/placement_sampler.h"
 #include "services/vtb/script.h"
-#include "services/vtb/tabletop.h"
 #include "services/vtb/within_reach.h"
 #include "services/vtb/world.h"
 
@@ -18,11 +18,12 @@ namespace cell::vtb {
 /// A person beside the cell while it does a task by itself: moves, takes,
 /// places parts at times of chance, or does what the cell asks for. One hand,
 /// which keeps away from what the arms are at. A value.
-class Bystander {
+class DisturbanceModel {
  public:
   /// @pre the script has one. The parts lie in `world`.
-  Bystander(std::shared_ptr<const DemonstratorBook> book,
-            const std::string& script, uint64_t seed, const World& world);
+  DisturbanceModel(std::shared_ptr<const Demonstrations> demonstrations,
+                   const std::string& script, uint64_t seed,
+                   const World& world);
 
   /// One tick: moves the hand of `world` for the coming `dt` [s].
   void Update(double dt, World& world);
@@ -37,32 +38,32 @@ class Bystander {
   }
 
  private:
-  struct Wish {
+  struct Placement {
     std::string part, site;
   };
 
   void Begin(World& world);
-  std::vector<Tabletop::Placed> SceneIn(const World& world) const;
+  std::vector<PlacementSampler::Placed> SceneIn(const World& world) const;
   std::optional<Eigen::Isometry3d> AtOneOfThePlaces(const std::string& part,
                                                     const World& world);
   bool Disturb(const World& world);
   bool PlaceSomething(const World& world);
-  bool Place(const Wish& wish, const World& world);
+  bool Place(const Placement& placement, const World& world);
   std::vector<std::string> LooseParts(const World& world) const;
   std::optional<Eigen::Isometry3d> Somewhere(const std::string& part,
                                              const World& world);
   bool IsReady(const PlacementRule& rule, const World& world) const;
 
-  std::shared_ptr<const DemonstratorBook> book_;
+  std::shared_ptr<const Demonstrations> demonstrations_;
   const Script* script_;
-  std::shared_ptr<const Tabletop> tabletop_;
+  std::shared_ptr<const PlacementSampler> sampler_;
   std::mt19937_64 random_;
   HandActor hand_;
   WithinReach reach_;
   std::vector<double> times_;  // [s] when it disturbs, ascending
   double time_ = 0;
   bool has_tried_in_vain_ = false;
-  std::optional<Wish> wish_;
+  std::optional<Placement> requested_;
 };
 
 }  // namespace cell::vtb

@@ -31,13 +31,14 @@ double DistanceBetween(const std::vector<Eigen::Vector2d>& a,
                        const std::vector<Eigen::Vector2d>& b);
 
 /// Finds places for upright parts in the parts area.
-class Tabletop {
+class PlacementSampler {
  public:
   struct Placed {
     std::string part;
     Eigen::Isometry3d X_WO;
   };
-  Tabletop(const PartTable& table, const CellLayout& layout, double gap);
+  PlacementSampler(const PartTable& table, const CellLayout& layout,
+                   double gap);
 
   /// Whether parts may lie so; an empty one accepts all.
   using Accept = std::function<bool(const std::vector<Placed>& scene)>;

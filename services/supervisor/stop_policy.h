@@ -35,15 +35,15 @@ struct HoldRow {
 ///     tracker: {when_silent: at_boundary, level: error, means: no eyes}
 ///     robot_arm@left: {when_silent: at_once, level: error, means: no hands,
 ///                      silence_ms: 250}
-struct HoldTable {
+struct StopPolicy {
   Hold operator_hold = Hold::kAtOnce;
   std::vector<HoldRow> rows;
 
   /// Every service of the roster has a row but the clock, without which there
   /// is no time, and the supervisor itself. Rows of services that do not take
   /// part in this run are passed over. @throws ConfigError.
-  static HoldTable FromConfig(const Config& config, const Roster& roster,
-                              const std::string& self);
+  static StopPolicy FromConfig(const Config& config, const Roster& roster,
+                               const std::string& self);
 };
 
 }  // namespace cell::supervisor

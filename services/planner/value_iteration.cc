@@ -1,4 +1,4 @@
-#include "services/planner/goal_values.h"
+#include "services/planner/value_iteration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ void SweepUntilStill(int first, int last, Update update) {
 
 }  // namespace
 
-void GoalValues::Extend(const StateSpace& space,
-                        const std::vector<bool>& is_goal) {
+void ValueIteration::Extend(const StateSpace& space,
+                            const std::vector<bool>& is_goal) {
   const int first = static_cast<int>(values_.size());
   const int last = space.size();
   values_.resize(last);
@@ -37,8 +37,8 @@ void GoalValues::Extend(const StateSpace& space,
   SweepUntilStill(first, last, [&](int s) {
     if (is_goal[s]) return 0.0;
     double best = 0;
-    for (const StateSpace::Choice& choice : space.choices(s)) {
-      best = std::max(best, ProbabilityOf(choice));
+    for (const StateSpace::Candidate& candidate : space.candidates(s)) {
+      best = std::max(best, ProbabilityOf(candidate));
     }
     const double change = best - values_[s].probability;
     values_[s].probability = best;
@@ -47,9 +47,9 @@ void GoalValues::Extend(const StateSpace& space,
   SweepUntilStill(first, last, [&](int s) {
     if (is_goal[s] || values_[s].probability <= 0) return 0.0;
     double least = std::numeric_limits<double>::infinity();
-    for (const StateSpace::Choice& choice : space.choices(s)) {
-      if (ProbabilityOf(choice) < values_[s].probability - kEqual) continue;
-      least = std::min(least, ActionsOf(choice, s));
+    for (const StateSpace::Candidate& candidate : space.candidates(s)) {
+      if (ProbabilityOf(candidate) < values_[s].probability - kEqual) continue;
+      least = std::min(least, ActionsOf(candidate, s));
     }
     const double change = std::abs(least - values_[s].expected_actions);
     values_[s].expected_actions = least;
@@ -58,23 +58,24 @@ void GoalValues::Extend(const StateSpace& space,
 }
 
 /// sum p P(s') / (1 - stay): staying and trying again until something happens.
-double GoalValues::ProbabilityOf(const StateSpace::Choice& choice) const {
+double ValueIteration::ProbabilityOf(
+    const StateSpace::Candidate& candidate) const {
   double sum = 0;
   double moving = 0;  // 1 - stay
-  for (const StateSpace::Move& move : choice.moves) {
+  for (const StateSpace::Move& move : candidate.moves) {
     sum += move.probability * values_[move.state].probability;
     moving += move.probability;
   }
   return sum / moving;
 }
 
-/// Solves C = 1 + stay C + sum p P(s')/P C(s') for C, for a choice that has
+/// Solves C = 1 + stay C + sum p P(s')/P C(s') for C, for a candidate that has
 /// the state's P.
-double GoalValues::ActionsOf(const StateSpace::Choice& choice,
-                             int state) const {
+double ValueIteration::ActionsOf(const StateSpace::Candidate& candidate,
+                                 int state) const {
   double sum = 1;
   double moving = 0;  // 1 - stay
-  for (const StateSpace::Move& move : choice.moves) {
+  for (const StateSpace::Move& move : candidate.moves) {
     const Value& after = values_[move.state];
     sum += move.probability * after.probability / values_[state].probability *
            after.expected_actions;
@@ -83,31 +84,31 @@ double GoalValues::ActionsOf(const StateSpace::Choice& choice,
   return sum / moving;
 }
 
-GoalValues::Value GoalValues::Of(const StateSpace::Choice& choice,
-                                 int state) const {
+ValueIteration::Value ValueIteration::Of(const StateSpace::Candidate& candidate,
+                                         int state) const {
   Value value;
   const auto add = [&](double probability, const Value& after) {
     const double share = probability * after.probability;
     value.probability += share;
     value.expected_actions += share * (1 + after.expected_actions);
   };
-  add(choice.stay, values_.at(state));
-  for (const StateSpace::Move& move : choice.moves) {
+  add(candidate.stay, values_.at(state));
+  for (const StateSpace::Move& move : candidate.moves) {
     add(move.probability, values_[move.state]);
   }
   if (value.probability > 0) value.expected_actions /= value.probability;
   return value;
 }
 
-int GoalValues::Best(const StateSpace& space, int state) const {
+int ValueIteration::Best(const StateSpace& space, int state) const {
   const Value& value = values_.at(state);
-  const auto& choices = space.choices(state);
+  const auto& candidates = space.candidates(state);
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   if (value.probability <= 0 || value.expected_actions <= 0) return best;
-  for (size_t i = 0; i < choices.size(); ++i) {
-    if (ProbabilityOf(choices[i]) < value.probability - kEqual) continue;
-    const double actions = ActionsOf(choices[i], state);
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (ProbabilityOf(candidates[i]) < value.probability - kEqual) continue;
+    const double actions = ActionsOf(candidates[i], state);
     if (actions < least - kEqual) {
       least = actions;
       best = static_cast<int>(i);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "services/supervisor/hold_table.h"
+#include "services/supervisor/stop_policy.h"
 
 namespace cell::supervisor {
 
@@ -27,7 +27,7 @@ struct Operation {
 };
 
 /// Something a person must know.
-struct Notice {
+struct Event {
   enum class Cause { kSilent, kHeld, kRestarted };
   AlertLevel level;
   Cause cause;
@@ -37,26 +37,26 @@ struct Notice {
 /// Decides whether arms may move. A hold ends by itself when the service that
 /// was silent speaks again; an operator's and one after a protective stop end
 /// when the operator says so. Times in us.
-class Supervision {
+class SafetyMonitor {
  public:
   enum class Agent { kPerson, kRobot };
 
   /// Services have been heard `now`, so that none is thought dead at once.
-  Supervision(HoldTable table, int64_t now);
+  SafetyMonitor(StopPolicy table, int64_t now);
 
   /// Of a service that is not in the table: nothing.
   void Hear(const std::string& service, int64_t now);
   /// The service, in the table or not, has said which life it lives: one that
   /// follows another has forgotten what it was doing.
-  void HearLife(const std::string& service, int32_t life);
+  void OnIncarnation(const std::string& service, int32_t life);
   /// Nothing: no episode.
   void SetAgent(std::optional<Agent> agent) { agent_ = agent; }
   void HoldByOperator();
   void ResumeByOperator();
   /// `why`: which limit, and what was measured.
   void StopProtectively(const std::string& arm, const std::string& why);
-  /// Looks for silence. Every notice since the last call.
-  std::vector<Notice> Update(int64_t now);
+  /// Looks for silence. Every event since the last call.
+  std::vector<Event> Update(int64_t now);
 
   Operation operation() const;
 
@@ -71,15 +71,15 @@ class Supervision {
     bool is_silent = false;
   };
 
-  void Note(AlertLevel level, Notice::Cause cause, std::string text);
+  void Note(AlertLevel level, Event::Cause cause, std::string text);
 
   Hold operator_hold_;
   std::vector<Row> rows_;
-  std::map<std::string, int32_t> lives_;    // by service
-  std::map<std::string, Cause> silent_;     // by service
-  std::map<std::string, Cause> operators_;  // until the operator resumes
+  std::map<std::string, int32_t> incarnations_;  // by service
+  std::map<std::string, Cause> silent_;          // by service
+  std::map<std::string, Cause> operators_;       // until the operator resumes
   std::optional<Agent> agent_;
-  std::vector<Notice> notices_;
+  std::vector<Event> events_;
 };
 
 }  // namespace cell::supervisor

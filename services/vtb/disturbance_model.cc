@@ -1,4 +1,4 @@
-#include "services/vtb/bystander.h"
+#include "services/vtb/disturbance_model.h"
 
 #include <algorithm>
 #include <numbers>
@@ -50,18 +50,20 @@ const Part* PartAt(const Site& site, const PlacementRule& rule,
 
 }  // namespace
 
-Bystander::Bystander(std::shared_ptr<const DemonstratorBook> book,
-                     const std::string& script, uint64_t seed,
-                     const World& world)
-    : book_(std::move(book)),
-      script_(&book_->scripts.at(script)),
-      tabletop_(std::make_shared<Tabletop>(world.table(), world.layout(),
-                                           book_->manner.table_gap)),
+DisturbanceModel::DisturbanceModel(
+    std::shared_ptr<const Demonstrations> demonstrations,
+    const std::string& script, uint64_t seed, const World& world)
+    : demonstrations_(std::move(demonstrations)),
+      script_(&demonstrations_->scripts.at(script)),
+      sampler_(std::make_shared<PlacementSampler>(
+          world.table(), world.layout(),
+          demonstrations_->human_motion.table_gap)),
       random_(seed ^ kOwnChance),
       // The right hand comes last in the layout.
-      hand_(world.layout().hands.back().name, book_->manner, world),
+      hand_(world.layout().hands.back().name, demonstrations_->human_motion,
+            world),
       reach_(world.table(), world.layout()) {
-  const Script::Bystander& does = *script_->bystander;
+  const Script::Disturbance& does = *script_->disturbance;
   const int count = std::uniform_int_distribution<int>(
       does.count.low, does.count.high)(random_);
   for (int i = 0; i < count; ++i) {
@@ -71,19 +73,20 @@ Bystander::Bystander(std::shared_ptr<const DemonstratorBook> book,
   std::ranges::sort(times_);
 }
 
-void Bystander::AskFor(const std::string& part, const std::string& site) {
-  if (script_->bystander->helps && hand_.is_idle()) wish_ = {part, site};
+void DisturbanceModel::AskFor(const std::string& part,
+                              const std::string& site) {
+  if (script_->disturbance->helps && hand_.is_idle()) requested_ = {part, site};
 }
 
-void Bystander::Update(double dt, World& world) {
+void DisturbanceModel::Update(double dt, World& world) {
   time_ += dt;
   if (hand_.is_idle()) Begin(world);
-  hand_.Update(dt, world, *tabletop_, random_);
+  hand_.Update(dt, world, *sampler_, random_);
 }
 
-void Bystander::Begin(World& world) {
-  if (const auto wish = std::exchange(wish_, std::nullopt)) {
-    Place(*wish, world);
+void DisturbanceModel::Begin(World& world) {
+  if (const auto placement = std::exchange(requested_, std::nullopt)) {
+    Place(*placement, world);
     return;
   }
   if (times_.empty() || time_ < times_.front()) return;
@@ -95,9 +98,9 @@ void Bystander::Begin(World& world) {
   }
 }
 
-bool Bystander::Disturb(const World& world) {
-  using Kind = Script::Bystander::Kind;
-  const Kind kind = script_->bystander->kind;
+bool DisturbanceModel::Disturb(const World& world) {
+  using Kind = Script::Disturbance::Kind;
+  const Kind kind = script_->disturbance->kind;
   if (kind == Kind::kPlace) return PlaceSomething(world);
   const std::vector<std::string> parts = LooseParts(world);
   if (parts.empty()) return false;
@@ -117,7 +120,7 @@ bool Bystander::Disturb(const World& world) {
 
 /// Some part where it belongs and can go now. A person sees what an arm is
 /// about to place, and leaves such sites to it.
-bool Bystander::PlaceSomething(const World& world) {
+bool DisturbanceModel::PlaceSomething(const World& world) {
   std::vector<std::string> taken;
   for (const ArmLayout& arm : world.layout().arms) {
     const auto held = world.hands().HeldBy(arm.gripper);
@@ -126,9 +129,9 @@ bool Bystander::PlaceSomething(const World& world) {
     taken.insert(taken.end(), fits.begin(), fits.end());
   }
   if (taken.empty()) return false;
-  std::vector<Wish> wishes;
+  std::vector<Placement> wishes;
   const std::vector<std::string> loose = LooseParts(world);
-  for (const auto& [name, rule] : book_->rules) {
+  for (const auto& [name, rule] : demonstrations_->rules) {
     if (!IsReady(rule, world) ||
         std::ranges::find(taken, rule.site_type) != taken.end()) {
       continue;
@@ -148,14 +151,14 @@ bool Bystander::PlaceSomething(const World& world) {
                world);
 }
 
-bool Bystander::Place(const Wish& wish, const World& world) {
-  const Part* part = world.table().Find(wish.part);
-  const Site* site = world.table().FindSite(wish.site);
+bool DisturbanceModel::Place(const Placement& placement, const World& world) {
+  const Part* part = world.table().Find(placement.part);
+  const Site* site = world.table().FindSite(placement.site);
   if (part == nullptr || site == nullptr) return false;
-  for (const auto& [name, rule] : book_->rules) {
+  for (const auto& [name, rule] : demonstrations_->rules) {
     if (rule.part_type != part->type || rule.site_type != site->type) continue;
-    hand_.Take(wish.part, "");
-    hand_.Put(wish.part, {&rule, wish.site});
+    hand_.Take(placement.part, "");
+    hand_.Put(placement.part, {&rule, placement.site});
     hand_.GoToRest();
     return true;
   }
@@ -163,7 +166,8 @@ bool Bystander::Place(const Wish& wish, const World& world) {
 }
 
 /// Parts that lie about, and that no arm is at.
-std::vector<std::string> Bystander::LooseParts(const World& world) const {
+std::vector<std::string> DisturbanceModel::LooseParts(
+    const World& world) const {
   std::vector<std::string> loose;
   for (size_t i = 0; i < world.table().parts().size(); ++i) {
     const Part& part = world.table().parts()[i];
@@ -176,7 +180,7 @@ std::vector<std::string> Bystander::LooseParts(const World& world) const {
                  kFromGripper;
         });
     bool is_seated = false;
-    for (const auto& [name, rule] : book_->rules) {
+    for (const auto& [name, rule] : demonstrations_->rules) {
       if (rule.part_type != part.type) continue;
       ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
         is_seated |= IsAt(site, part, rule, world);
@@ -187,8 +191,9 @@ std::vector<std::string> Bystander::LooseParts(const World& world) const {
   return loose;
 }
 
-std::vector<Tabletop::Placed> Bystander::SceneIn(const World& world) const {
-  std::vector<Tabletop::Placed> scene;
+std::vector<PlacementSampler::Placed> DisturbanceModel::SceneIn(
+    const World& world) const {
+  std::vector<PlacementSampler::Placed> scene;
   for (const Part& part : world.table().parts()) {
     scene.push_back({part.name, world.PoseOf(part.name)});
   }
@@ -197,26 +202,26 @@ std::vector<Tabletop::Placed> Bystander::SceneIn(const World& world) const {
 
 /// One of the script's places, or anywhere on the table: where an arm can take
 /// it, unless the script wants it beyond their reach.
-std::optional<Isometry3d> Bystander::Somewhere(const std::string& part,
-                                               const World& world) {
-  if (!script_->bystander->places.empty()) {
+std::optional<Isometry3d> DisturbanceModel::Somewhere(const std::string& part,
+                                                      const World& world) {
+  if (!script_->disturbance->places.empty()) {
     return AtOneOfThePlaces(part, world);
   }
-  Tabletop::Accept accept;
-  if (!script_->bystander->beyond_reach) {
+  PlacementSampler::Accept accept;
+  if (!script_->disturbance->beyond_reach) {
     accept = [&](const auto& scene) {
       return reach_.CanTake(part, scene);
     };
   }
-  return tabletop_->FreePlace(part, SceneIn(world), kMinMove, random_, accept);
+  return sampler_->FreePlace(part, SceneIn(world), kMinMove, random_, accept);
 }
 
 /// That with the most room first, turned anyhow; nothing if no arm could take
 /// the part from any.
-std::optional<Isometry3d> Bystander::AtOneOfThePlaces(const std::string& part,
-                                                      const World& world) {
-  auto places = script_->bystander->places;
-  std::vector<Tabletop::Placed> scene = SceneIn(world);
+std::optional<Isometry3d> DisturbanceModel::AtOneOfThePlaces(
+    const std::string& part, const World& world) {
+  auto places = script_->disturbance->places;
+  std::vector<PlacementSampler::Placed> scene = SceneIn(world);
   std::erase_if(scene, [&](const auto& other) { return other.part == part; });
   const auto room = [&](const Eigen::Vector2d& place) {
     double least = 1;
@@ -235,8 +240,8 @@ std::optional<Isometry3d> Bystander::AtOneOfThePlaces(const std::string& part,
       X_WO.linear() =
           Eigen::AngleAxisd(yaw(random_), Vector3d::UnitZ()).toRotationMatrix();
       X_WO.translation() << place, 0;
-      X_WO.translation().z() = -tabletop_->ExtentOf(part).Lowest(X_WO);
-      if (script_->bystander->beyond_reach) return X_WO;
+      X_WO.translation().z() = -sampler_->ExtentOf(part).Lowest(X_WO);
+      if (script_->disturbance->beyond_reach) return X_WO;
       scene.push_back({part, X_WO});
       if (reach_.CanTake(part, scene)) return X_WO;
       scene.pop_back();
@@ -246,9 +251,10 @@ std::optional<Isometry3d> Bystander::AtOneOfThePlaces(const std::string& part,
 }
 
 /// All that must come before is in place.
-bool Bystander::IsReady(const PlacementRule& rule, const World& world) const {
+bool DisturbanceModel::IsReady(const PlacementRule& rule,
+                               const World& world) const {
   return std::ranges::all_of(rule.after, [&](const std::string& before) {
-    const PlacementRule& earlier = book_->rules.at(before);
+    const PlacementRule& earlier = demonstrations_->rules.at(before);
     bool is_done = true;
     ForEachSite(world.table(), earlier.site_type, [&](const Site& site) {
       is_done &= PartAt(site, earlier, world) != nullptr;

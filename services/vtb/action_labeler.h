@@ -13,7 +13,7 @@
 namespace cell::vtb {
 
 /// Something a person did to a part, from gripping it to letting go.
-struct Deed {
+struct LabeledAction {
   enum class Kind { kPlaced, kTakenBack, kMoved, kTipped };
   enum class Mistake { kNone, kOutOfOrder, kOutOfWorkspace };
   Kind kind = Kind::kMoved;
@@ -27,15 +27,15 @@ struct Deed {
 
 /// Watches the world and knows what was done: ground truth for scorers. It
 /// looks at grips and seats alone, not at what the person meant to do. A part
-/// that goes from one site to another is two deeds; one that comes to stand
+/// that goes from one site to another is two actions; one that comes to stand
 /// where it stood is none.
-class Deeds {
+class ActionLabeler {
  public:
-  explicit Deeds(std::shared_ptr<const DemonstratorBook> book)
-      : book_(std::move(book)) {}
+  explicit ActionLabeler(std::shared_ptr<const Demonstrations> demonstrations)
+      : demonstrations_(std::move(demonstrations)) {}
 
-  /// To be called once a tick; the deeds that are done and have settled.
-  std::vector<Deed> Update(int64_t utime, const World& world);
+  /// To be called once a tick; the actions that are done and have settled.
+  std::vector<LabeledAction> Update(int64_t utime, const World& world);
 
  private:
   struct Grip {
@@ -47,15 +47,15 @@ class Deeds {
   };
 
   void NoteGrips(int64_t utime, const World& world);
-  std::vector<Deed> Conclude(const std::string& part, const Grip& grip,
-                             const World& world) const;
+  std::vector<LabeledAction> Conclude(const std::string& part, const Grip& grip,
+                                      const World& world) const;
   const PlacementRule* RuleOf(const Part& part, const Site& site) const;
   std::optional<std::string> SeatOf(const std::string& part,
                                     const World& world) const;
   bool IsTooEarly(const Part& part, const std::string& site,
                   const World& world) const;
 
-  std::shared_ptr<const DemonstratorBook> book_;
+  std::shared_ptr<const Demonstrations> demonstrations_;
   std::map<std::string, Grip> grips_;  // by part
 };
 

@@ -1,4 +1,4 @@
-#include "services/supervisor/hold_table.h"
+#include "services/supervisor/stop_policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,9 @@ int64_t SilenceOf(const Config& config) {
 
 }  // namespace
 
-HoldTable HoldTable::FromConfig(const Config& config, const Roster& roster,
-                                const std::string& self) {
-  HoldTable table;
+StopPolicy StopPolicy::FromConfig(const Config& config, const Roster& roster,
+                                  const std::string& self) {
+  StopPolicy table;
   table.operator_hold = HoldFromConfig(config["operator_hold"]);
   if (table.operator_hold == Hold::kNone) {
     config["operator_hold"].Fail("an operator's hold must hold");

@@ -1,4 +1,4 @@
-#include "services/vtb/deeds.h"
+#include "services/vtb/action_labeler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,9 @@ bool IsMoved(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB) {
 
 }  // namespace
 
-const PlacementRule* Deeds::RuleOf(const Part& part, const Site& site) const {
-  for (const auto& [name, rule] : book_->rules) {
+const PlacementRule* ActionLabeler::RuleOf(const Part& part,
+                                           const Site& site) const {
+  for (const auto& [name, rule] : demonstrations_->rules) {
     if (rule.part_type == part.type && rule.site_type == site.type) {
       return &rule;
     }
@@ -35,8 +36,8 @@ const PlacementRule* Deeds::RuleOf(const Part& part, const Site& site) const {
   return nullptr;
 }
 
-std::optional<std::string> Deeds::SeatOf(const std::string& name,
-                                         const World& world) const {
+std::optional<std::string> ActionLabeler::SeatOf(const std::string& name,
+                                                 const World& world) const {
   const Part& part = *world.table().Find(name);
   const Eigen::Isometry3d X_WO = world.PoseOf(name);
   for (const Part& host : world.table().parts()) {
@@ -57,13 +58,13 @@ std::optional<std::string> Deeds::SeatOf(const std::string& name,
 }
 
 // True unless all that must come before this placement is in place.
-bool Deeds::IsTooEarly(const Part& part, const std::string& site,
-                       const World& world) const {
+bool ActionLabeler::IsTooEarly(const Part& part, const std::string& site,
+                               const World& world) const {
   const PlacementRule* rule = RuleOf(part, *world.table().FindSite(site));
   for (const std::string& earlier : rule->after) {
     for (const Part& other : world.table().parts()) {
-      if (other.type == book_->rules.at(earlier).part_type && other.is_free() &&
-          !SeatOf(other.name, world)) {
+      if (other.type == demonstrations_->rules.at(earlier).part_type &&
+          other.is_free() && !SeatOf(other.name, world)) {
         return true;
       }
     }
@@ -71,7 +72,7 @@ bool Deeds::IsTooEarly(const Part& part, const std::string& site,
   return false;
 }
 
-void Deeds::NoteGrips(int64_t utime, const World& world) {
+void ActionLabeler::NoteGrips(int64_t utime, const World& world) {
   std::map<std::string, std::string> held;
   for (const CellLayout::Hand& hand : world.layout().hands) {
     if (const auto part = world.hands().HeldBy(hand.name)) {
@@ -92,57 +93,59 @@ void Deeds::NoteGrips(int64_t utime, const World& world) {
   }
 }
 
-std::vector<Deed> Deeds::Update(int64_t utime, const World& world) {
+std::vector<LabeledAction> ActionLabeler::Update(int64_t utime,
+                                                 const World& world) {
   NoteGrips(utime, world);
-  std::vector<Deed> done;
+  std::vector<LabeledAction> done;
   for (auto it = grips_.begin(); it != grips_.end();) {
     const auto& release = it->second.release_utime;
     if (!release || utime < *release + kSettleUs) {
       ++it;
       continue;
     }
-    const auto deeds = Conclude(it->first, it->second, world);
-    done.insert(done.end(), deeds.begin(), deeds.end());
+    const auto actions = Conclude(it->first, it->second, world);
+    done.insert(done.end(), actions.begin(), actions.end());
     it = grips_.erase(it);
   }
   return done;
 }
 
-std::vector<Deed> Deeds::Conclude(const std::string& name, const Grip& grip,
-                                  const World& world) const {
+std::vector<LabeledAction> ActionLabeler::Conclude(const std::string& name,
+                                                   const Grip& grip,
+                                                   const World& world) const {
   const Eigen::Isometry3d X_WO = world.PoseOf(name);
   const auto to_site = SeatOf(name, world);
   if (to_site == grip.from_site &&
       (to_site || !IsMoved(grip.X_WO_pick, X_WO))) {
     return {};
   }
-  Deed deed{.part = name,
-            .hand = grip.hand,
-            .pick_utime = grip.pick_utime,
-            .place_utime = *grip.release_utime};
+  LabeledAction action{.part = name,
+                       .hand = grip.hand,
+                       .pick_utime = grip.pick_utime,
+                       .place_utime = *grip.release_utime};
   if (!world.layout().workspace.contains(X_WO.translation())) {
-    deed.mistake = Deed::Mistake::kOutOfWorkspace;
+    action.mistake = LabeledAction::Mistake::kOutOfWorkspace;
   }
-  std::vector<Deed> deeds;
+  std::vector<LabeledAction> actions;
   if (grip.from_site) {
-    deed.kind = Deed::Kind::kTakenBack;
-    deed.site = *grip.from_site;
-    deeds.push_back(deed);
+    action.kind = LabeledAction::Kind::kTakenBack;
+    action.site = *grip.from_site;
+    actions.push_back(action);
   }
   if (to_site) {
-    deed.kind = Deed::Kind::kPlaced;
-    deed.site = *to_site;
+    action.kind = LabeledAction::Kind::kPlaced;
+    action.site = *to_site;
     if (IsTooEarly(*world.table().Find(name), *to_site, world)) {
-      deed.mistake = Deed::Mistake::kOutOfOrder;
+      action.mistake = LabeledAction::Mistake::kOutOfOrder;
     }
-    deeds.push_back(deed);
+    actions.push_back(action);
   }
-  if (deeds.empty()) {
+  if (actions.empty()) {
     const bool is_tipped = IsUpright(X_WO) != IsUpright(grip.X_WO_pick);
-    if (is_tipped) deed.kind = Deed::Kind::kTipped;
-    deeds.push_back(deed);
+    if (is_tipped) action.kind = LabeledAction::Kind::kTipped;
+    actions.push_back(action);
   }
-  return deeds;
+  return actions;
 }
 
 }  // namespace cell::vtb
