@@ -9,3 +9,5 @@ cell_add_test(unit/robot_arm/contact_search_test.cc LINK cell_robot_arm)
 cell_add_test(unit/robot_arm/contact_reference_test.cc LINK cell_robot_arm)
 cell_add_test(unit/robot_arm/contact_motion_test.cc LINK cell_robot_arm cell_tracker)
 cell_add_test(unit/robot_arm/skill_settings_test.cc LINK cell_robot_arm cell_tracker)
+cell_add_test(unit/robot_arm/robot_arm_start_test.cc
+  LINK cell_robot_arm cell_bus cell_tracker)
