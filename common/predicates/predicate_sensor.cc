@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 // What somebody in the way means, if his pose is only the last one seen.
 Truth FalseIfSeen(Visibility visibility) {
-  return sight == Visibility::kSeen ? Truth::kFalse : Truth::kUnknown;
+  return visibility == Visibility::kSeen ? Truth::kFalse : Truth::kUnknown;
 }
 
 Truth FromBool(bool value) {

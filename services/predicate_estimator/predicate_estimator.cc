@@ -56,14 +56,14 @@ bool PredicateEstimator::OnEpisode(const episode_t& message) {
 }
 
 bool PredicateEstimator::OnTracks(const tracks_t& message) {
-  auto tracks = TracksFromMessage(message, params_.cast);
+  auto tracks = TracksFromMessage(message, params_.scene_objects);
   if (!tracks) return false;
   tracks_ = *std::move(tracks);
   return true;
 }
 
 bool PredicateEstimator::OnKeyFrame(const key_frame_t& message) {
-  auto frame = KeyFrameFromMessage(message, params_.cast);
+  auto frame = KeyFrameFromMessage(message, params_.scene_objects);
   if (!frame) return false;
   if (episode_.IsBefore(frame->utime)) return true;
   Sense(*frame);
@@ -79,14 +79,16 @@ bool PredicateEstimator::OnRequest() {
   now.utime = tracks_->utime;
   now.poses.clear();
   for (const Track& track : tracks_->tracks) {
-    if (params_.cast.IsPart(track.name)) now.poses[track.name] = track.X_WO;
+    if (params_.scene_objects.IsPart(track.name))
+      now.poses[track.name] = track.X_WO;
   }
   Sense(now);
   return true;
 }
 
 void PredicateEstimator::Sense(const KeyFrame& frame) {
-  const Scene scene = SceneOf(frame, tracks_.value_or(Tracks{}), params_.cast);
+  const Scene scene =
+      SceneOf(frame, tracks_.value_or(Tracks{}), params_.scene_objects);
   bus_.Publish("PREDICATES", ToMessage(params_.sensor->Sense(scene),
                                        params_.vocabulary, frame));
 }
@@ -94,8 +96,8 @@ void PredicateEstimator::Sense(const KeyFrame& frame) {
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
                                                 const Deployment& deployment) {
   const Task task = LoadTask(deployment);
-  const PredicateEstimator::Params params{task.cast, task.domain.vocabulary(),
-                                          task.MakeSensor()};
+  const PredicateEstimator::Params params{
+      task.scene_objects, task.domain.vocabulary(), task.MakeSensor()};
   deployment.ForService("predicate_estimator").Finish();
   return std::make_unique<PredicateEstimator>(bus, params);
 }

@@ -58,7 +58,7 @@ Recognizer::Recognizer(Bus& bus, const Params& params)
 
 void Recognizer::Begin() {
   recognition_ = std::make_unique<Recognition>(
-      params_.cast, actions_.parts(), params_.make_library(actions_),
+      params_.scene_objects, actions_.parts(), params_.make_library(actions_),
       params_.sensor, params_.recognition);
   last_key_frame_ = -1;
   next_index_ = 0;
@@ -76,7 +76,7 @@ bool Recognizer::OnEpisode(const episode_t& message) {
 }
 
 bool Recognizer::OnKeyFrame(const key_frame_t& message) {
-  const auto frame = KeyFrameFromMessage(message, params_.cast);
+  const auto frame = KeyFrameFromMessage(message, params_.scene_objects);
   if (!frame || frame->index <= last_key_frame_) return false;
   if (episode_.IsBefore(frame->utime)) return true;
   last_key_frame_ = frame->index;
@@ -97,7 +97,7 @@ bool Recognizer::OnRecord(const action_record_t& message) {
 std::unique_ptr<Service> MakeRecognizer(Bus& bus,
                                         const Deployment& deployment) {
   const Task task = LoadTask(deployment);
-  Recognizer::Params params{task.cast,
+  Recognizer::Params params{task.scene_objects,
                             {task.domain, task.parts, task.actions},
                             MakeConditionLibrary,
                             task.MakeSensor(),

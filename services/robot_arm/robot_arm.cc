@@ -177,12 +177,13 @@ bool RobotArm::OnPermit(const motion_permit_t& message) {
 }
 
 bool RobotArm::OnTracks(const tracks_t& message) {
-  const auto tracks = TracksFromMessage(message, params_.cast);
+  const auto tracks = TracksFromMessage(message, params_.scene_objects);
   if (!tracks) return false;
   std::map<std::string, Eigen::Isometry3d> poses;
   std::vector<Eigen::Vector3d> hands;
   for (const Track& track : tracks->tracks) {
-    if (params_.cast.IsPart(track.name) && track.state != Track::State::kLost) {
+    if (params_.scene_objects.IsPart(track.name) &&
+        track.state != Track::State::kLost) {
       poses.emplace(track.name, track.X_WO);
     }
     if (IsPersonsHand(params_.worker.layout, track.name)) {
@@ -311,7 +312,7 @@ std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,
       SkillSettings::FromConfig(deployment.OfTask("skills.yaml"), task.parts);
   return std::make_unique<RobotArm>(
       bus, RobotArm::Params{{instance, task.layout, task.parts, settings},
-                            task.cast});
+                            task.scene_objects});
 }
 
 }  // namespace cell::robot_arm

@@ -7,10 +7,10 @@ namespace cell::sec_builder {
 
 SecBuilder::SecBuilder(Bus& bus, const Params& params)
     : bus_(bus),
-      scene_objects_(params.cast),
+      scene_objects_(params.scene_objects),
       extractor_params_(params.extractor),
-      sensor_(params.cast, params.parts, params.proximity),
-      extractor_(params.cast, params.extractor) {
+      sensor_(params.scene_objects, params.parts, params.proximity),
+      extractor_(params.scene_objects, params.extractor) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
   bus.Subscribe<tracks_t>("TRACKS",
@@ -44,7 +44,7 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
 std::unique_ptr<Service> MakeSecBuilder(Bus& bus,
                                         const Deployment& deployment) {
   const Task task = LoadTask(deployment);
-  SecBuilder::Params params{task.cast, task.parts, {}, {}};
+  SecBuilder::Params params{task.scene_objects, task.parts, {}, {}};
   const Config config = deployment.ForService("sec_builder");
   PairFilter::Params& pair = params.extractor.pair;
   pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;

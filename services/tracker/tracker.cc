@@ -10,8 +10,8 @@ namespace cell::tracker {
 
 Tracker::Tracker(Bus& bus, const Params& params)
     : bus_(bus),
-      scene_objects_(params.cast),
-      tracker_(params.cast, params.layout, params.ideal) {
+      scene_objects_(params.scene_objects),
+      tracker_(params.scene_objects, params.layout, params.ideal) {
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
   bus.Subscribe<truth_poses_t>(
@@ -41,7 +41,7 @@ void Tracker::PublishTracks() {
 
 std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment) {
   const Task task = LoadTask(deployment);
-  Tracker::Params params{task.cast, task.layout, 12, {}};
+  Tracker::Params params{task.scene_objects, task.layout, 12, {}};
   const Config config = deployment.ForService("tracker");
   const auto sensing = config.Get<std::string>("sensing");
   if (sensing != "ideal") {

@@ -95,7 +95,7 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
 Script::Disturbance DisturbanceFromConfig(const Config& config) {
   using Kind = Script::Disturbance::Kind;
   Script::Disturbance disturbance;
-  disturbance_model.helps = config.GetOr("helps", false);
+  disturbance.helps = config.GetOr("helps", false);
   if (!config.Has("disturbs")) return disturbance;
   const Config disturbs = config["disturbs"];
   const auto how = disturbs.Get<std::string>("how");

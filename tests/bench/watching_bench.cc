@@ -34,7 +34,7 @@ struct Watched {
       side = 1;
       AddHand(hand.type, hand.name, X_WG, 0.028, truth);
     }
-    tracks = IdealTracker(task.cast, task.layout, {}).Update(truth);
+    tracks = IdealTracker(task.scene_objects, task.layout, {}).Update(truth);
   }
 
   ShippedTask task;
@@ -44,7 +44,8 @@ struct Watched {
 
 void MeasureProximities(benchmark::State& state) {
   const Watched watched(static_cast<int>(state.range(0)));
-  const ProximitySensor sensor(watched.task.cast, watched.task.parts, {});
+  const ProximitySensor sensor(watched.task.scene_objects, watched.task.parts,
+                               {});
   for (auto _ : state) {
     benchmark::DoNotOptimize(sensor.Measure(watched.tracks));
   }
@@ -58,9 +59,9 @@ BENCHMARK(MeasureProximities)
 void UpdateKeyFrameExtractor(benchmark::State& state) {
   Watched watched(kHandsAtWork);
   const Proximities proximities =
-      ProximitySensor(watched.task.cast, watched.task.parts, {})
+      ProximitySensor(watched.task.scene_objects, watched.task.parts, {})
           .Measure(watched.tracks);
-  KeyFrameExtractor extractor(watched.task.cast, {});
+  KeyFrameExtractor extractor(watched.task.scene_objects, {});
   for (auto _ : state) {
     watched.tracks.utime += 96'000;
     benchmark::DoNotOptimize(extractor.Update(watched.tracks, proximities));
@@ -72,7 +73,8 @@ void TracksThroughTheirMessage(benchmark::State& state) {
   const Watched watched(kBegin);
   for (auto _ : state) {
     benchmark::DoNotOptimize(TracksFromMessage(
-        TracksToMessage(watched.tracks, watched.task.cast), watched.task.cast));
+        TracksToMessage(watched.tracks, watched.task.scene_objects),
+        watched.task.scene_objects));
   }
 }
 BENCHMARK(TracksThroughTheirMessage)->Unit(benchmark::kMicrosecond);
@@ -80,7 +82,8 @@ BENCHMARK(TracksThroughTheirMessage)->Unit(benchmark::kMicrosecond);
 void SenseAllPredicates(benchmark::State& state) {
   Watched watched(static_cast<int>(state.range(0)));
   const auto sensor = watched.task.MakeSensor();
-  const Scene scene = SceneOf(watched.stage.Frame(), watched.task.cast);
+  const Scene scene =
+      SceneOf(watched.stage.Frame(), watched.task.scene_objects);
   for (auto _ : state) benchmark::DoNotOptimize(sensor->Sense(scene));
 }
 BENCHMARK(SenseAllPredicates)
@@ -91,7 +94,7 @@ BENCHMARK(SenseAllPredicates)
 // Two key frames: picked up, and let go.
 void RecogniseATouch(benchmark::State& state) {
   Watched watched(kAssembled);
-  Recognition recognition(watched.task.cast, watched.task.parts,
+  Recognition recognition(watched.task.scene_objects, watched.task.parts,
                           watched.task.MakeSecLibrary(),
                           watched.task.MakeSensor(), {});
   watched.stage.Hold("hand_left", "shaft");

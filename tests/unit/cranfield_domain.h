@@ -71,23 +71,23 @@ struct Cranfield {
     return state;
   }
 
-  std::vector<Cover> Covers(const GroundAction& action,
-                            const State& state) const {
+  std::vector<ApplicableRule> RulesFor(const GroundAction& action,
+                                       const State& state) const {
     return ApplicableRules(domain->actions()[action.action], action.arguments,
                            state, domain->vocabulary(), Agent::kPerson);
   }
 
   /// The state after the action succeeds.
   State Do(const State& state, const GroundAction& action) const {
-    const auto covers = Covers(action, state);
-    if (covers.size() != 1) {
+    const auto applicable = RulesFor(action, state);
+    if (applicable.size() != 1) {
       ADD_FAILURE() << domain->Show(action) << " is covered by "
-                    << covers.size() << " rules";
+                    << applicable.size() << " rules";
       return state;
     }
     const NdrRule& rule =
-        domain->actions()[action.action].rules[covers[0].rule];
-    return Apply(rule.outcomes[0], covers[0].binding, state,
+        domain->actions()[action.action].rules[applicable[0].rule];
+    return Apply(rule.outcomes[0], applicable[0].binding, state,
                  domain->vocabulary());
   }
   State Do(const State& state, const std::string& action,
@@ -99,7 +99,7 @@ struct Cranfield {
   std::vector<GroundAction> Placements(const State& state) const {
     std::vector<GroundAction> found;
     for (const GroundAction& a : domain->GroundActions(Agent::kRobot)) {
-      if (!Covers(a, state).empty()) found.push_back(a);
+      if (!RulesFor(a, state).empty()) found.push_back(a);
     }
     return found;
   }

@@ -130,7 +130,7 @@ class Stage {
   KeyFrame Frame() {
     KeyFrame frame{500'000 * next_index_, next_index_, {}, poses_};
     ++next_index_;
-    const auto& names = task_.cast.names();
+    const auto& names = task_.scene_objects.names();
     for (size_t i = 0; i < names.size(); ++i) {
       for (size_t j = i + 1; j < names.size(); ++j) {
         frame.relations[{names[i], names[j]}] = RelationOf(names[i], names[j]);

@@ -38,7 +38,7 @@ bool IsStart(const Message& message) {
 /// The event chain of each episode of a run. @throws std::runtime_error if it
 /// has no key frames.
 std::vector<EventChain> ChainsOf(const RunFolder& run) {
-  const SceneObjects scene_objects = LoadTask(run.deployment).cast;
+  const SceneObjects scene_objects = LoadTask(run.deployment).scene_objects;
   std::vector<EventChain> chains;
   const RunLog log = RunLog::Load(run.path);
   for (const auto& [tick, entry] : log.ticks()) {

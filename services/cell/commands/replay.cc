@@ -155,8 +155,7 @@ int RunReplay(const ReplayOptions& options) {
   if (!options.is_check) {
     Narrator narrator(options.is_verbose);
     for (const auto& [k, tick] : log.ticks()) {
-      for (const Message& message : tick.messages)
-        Describe(*message, &narrator);
+      for (const Message& message : tick.messages) Describe(message, &narrator);
     }
     return log.problems().empty() ? 0 : 1;
   }

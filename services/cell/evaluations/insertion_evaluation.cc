@@ -103,7 +103,7 @@ std::map<std::string, ServiceFactory> Services(
   for (const ArmLayout& arm : bench.task.layout.arms) {
     const RobotArm::Params params{
         {arm.name, bench.task.layout, bench.task.parts, settings},
-        bench.task.cast};
+        bench.task.scene_objects};
     services["robot_arm@" + arm.name] = [params](Bus& bus) {
       return std::make_unique<RobotArm>(bus, params);
     };

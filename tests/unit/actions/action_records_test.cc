@@ -108,7 +108,7 @@ class ActionRecords : public testing::Test {
   predicates_t Predicates() {
     predicates_t message{};
     const State state =
-        task_.MakeSensor()->Sense(SceneOf(stage_.Frame(), task_.cast));
+        task_.MakeSensor()->Sense(SceneOf(stage_.Frame(), task_.scene_objects));
     const Vocabulary& v = task_.domain.vocabulary();
     for (int i = 0; i < v.num_atoms(); ++i) {
       const GroundAtom atom = v.Atom(i);

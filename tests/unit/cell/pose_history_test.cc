@@ -7,7 +7,7 @@ namespace cell {
 using namespace cli;
 namespace {
 
-void PutAt(int64_t utime, PoseHistory& looks) {
+void PutAt(int64_t utime, PoseHistory& pose_history) {
   truth_poses_t poses{};
   poses.header.utime = utime;
   pose_history.Put(poses);
@@ -17,7 +17,7 @@ TEST(PoseHistory, AreAlwaysFarEnoughApart) {
   for (const int64_t period : {8'000, 64'000, 150'000, 900'000}) {
     PoseHistory pose_history;
     for (int i = 0; i < 100; ++i) {
-      PutAt(i * period, looks);
+      PutAt(i * period, pose_history);
       if (i * period < PoseHistory::kApartUs) continue;
       ASSERT_TRUE(pose_history.has_both()) << period << " " << i;
       const int64_t apart = pose_history.last().header.utime -
@@ -31,15 +31,15 @@ TEST(PoseHistory, AreAlwaysFarEnoughApart) {
 TEST(PoseHistory, BeginAnewWhenTimesRunBackwards) {
   PoseHistory pose_history;
   EXPECT_TRUE(pose_history.is_empty());
-  PutAt(0, looks);
-  PutAt(500'000, looks);
+  PutAt(0, pose_history);
+  PutAt(500'000, pose_history);
   EXPECT_TRUE(pose_history.has_both());
-  PutAt(100'000, looks);
+  PutAt(100'000, pose_history);
   EXPECT_FALSE(pose_history.has_both());
   EXPECT_FALSE(pose_history.is_empty());
-  PutAt(INT64_MIN, looks);
+  PutAt(INT64_MIN, pose_history);
   EXPECT_FALSE(pose_history.has_both());
-  PutAt(INT64_MAX, looks);
+  PutAt(INT64_MAX, pose_history);
   EXPECT_TRUE(pose_history.has_both());
 }
 

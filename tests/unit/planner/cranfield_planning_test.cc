@@ -246,7 +246,7 @@ TEST_F(CranfieldRules, RulesOfAnActionAreDisjoint) {
   for (const State& state : ReachableStates()) {
     for (const auto& action :
          cranfield_.domain->GroundActions(Agent::kPerson)) {
-      ASSERT_LE(cranfield_.Covers(action, state).size(), 1u)
+      ASSERT_LE(cranfield_.RulesFor(action, state).size(), 1u)
           << cranfield_.domain->Show(action);
     }
   }

@@ -61,7 +61,7 @@ class Watched : public testing::Test {
          cranfield_.domain->GroundActions(Agent::kPerson)) {
       const auto& undoes = cranfield_.domain->actions()[back.action].undoes;
       if (undoes != placed.action || back.arguments != placed.arguments ||
-          cranfield_.Covers(back, state_).empty()) {
+          cranfield_.RulesFor(back, state_).empty()) {
         continue;
       }
       Sense(state_);

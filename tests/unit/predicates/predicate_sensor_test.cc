@@ -23,7 +23,9 @@ class PredicateSensorTest : public testing::Test {
   // "PegInHole(shaft, base.shaft)"
   Truth Of(const std::string& atom) { return In(Sensed(), atom); }
 
-  State Sensed() { return sensor_->Sense(SceneOf(stage_.Frame(), task_.cast)); }
+  State Sensed() {
+    return sensor_->Sense(SceneOf(stage_.Frame(), task_.scene_objects));
+  }
 
   Truth In(const State& state, const std::string& atom) {
     for (int i = 0; i < state.num_atoms(); ++i) {
@@ -101,9 +103,10 @@ TEST_F(PredicateSensorTest, SeatedAsksForTouchAndFit) {
   stage_.Seat("shaft", "base.shaft");
   KeyFrame frame = stage_.Frame();
   const std::string atom = "PegInHole(shaft, base.shaft)";
-  EXPECT_EQ(In(sensor_->Sense(SceneOf(frame, task_.cast)), atom), Truth::kTrue);
+  EXPECT_EQ(In(sensor_->Sense(SceneOf(frame, task_.scene_objects)), atom),
+            Truth::kTrue);
   frame.relations[{"base", "shaft"}] = Relation::kNotTouching;
-  EXPECT_EQ(In(sensor_->Sense(SceneOf(frame, task_.cast)), atom),
+  EXPECT_EQ(In(sensor_->Sense(SceneOf(frame, task_.scene_objects)), atom),
             Truth::kFalse);
   stage_.Seat("round_peg_1", "base.shaft");
   EXPECT_EQ(Of("PegInHole(round_peg_1, base.shaft)"), Truth::kFalse);
@@ -183,7 +186,7 @@ TEST_F(PredicateSensorTest, APartCarriedAboveAHoleLeavesItFreeUntilItIsSeated) {
 TEST_F(PredicateSensorTest, TouchingTheAssemblyChangesNothing) {
   stage_.SeatAll();
   const State before = Sensed();
-  for (const std::string& part : task_.cast.parts()) {
+  for (const std::string& part : task_.scene_objects.parts()) {
     stage_.Hold(kRight, part);
     EXPECT_EQ(Sensed(), before) << part;
     stage_.LetGo(kRight, part);
@@ -199,7 +202,8 @@ TEST_F(PredicateSensorTest, WhatDependsOnAPartThatIsNotTrackedIsUnknown) {
     for (Track& track : tracks.tracks) {
       if (track.name == "square_peg_1") track.state = state;
     }
-    const State sensed = sensor_->Sense(SceneOf(frame, tracks, task_.cast));
+    const State sensed =
+        sensor_->Sense(SceneOf(frame, tracks, task_.scene_objects));
     EXPECT_EQ(In(sensed, "PegInHole(square_peg_1, base.square_1)"),
               Truth::kUnknown);
     EXPECT_EQ(In(sensed, "Clear(square_peg_1)"), Truth::kUnknown);
@@ -219,7 +223,7 @@ TEST_F(PredicateSensorTest, AHoleThatALostPartMayBeInIsUnknown) {
 
 TEST_F(PredicateSensorTest, WithoutTracksEverythingIsUnknownThatAPartDecides) {
   const State state =
-      sensor_->Sense(SceneOf(stage_.Frame(), Tracks{}, task_.cast));
+      sensor_->Sense(SceneOf(stage_.Frame(), Tracks{}, task_.scene_objects));
   EXPECT_EQ(In(state, "Clear(head)"), Truth::kUnknown);
   EXPECT_EQ(In(state, "Free(base.shaft)"), Truth::kUnknown);
   EXPECT_EQ(In(state, "PegInHole(shaft, base.shaft)"), Truth::kUnknown);

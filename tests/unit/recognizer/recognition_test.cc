@@ -44,8 +44,11 @@ class RecognitionTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  Recognition recognition_{
-      task_.cast, task_.parts, task_.MakeSecLibrary(), task_.MakeSensor(), {}};
+  Recognition recognition_{task_.scene_objects,
+                           task_.parts,
+                           task_.MakeSecLibrary(),
+                           task_.MakeSensor(),
+                           {}};
 };
 
 std::string Shown(const RecognisedAction& action) {

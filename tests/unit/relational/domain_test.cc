@@ -171,7 +171,7 @@ TEST(Domain, ADeicticReferenceBindsTheOnlyObject) {
   const auto covers =
       ApplicableRules(move, arguments, state, v, Agent::kPerson);
   ASSERT_EQ(covers.size(), 1u);
-  EXPECT_EQ(After(move.rules[0].outcomes[0], covers[0].binding, state, v),
+  EXPECT_EQ(Apply(move.rules[0].outcomes[0], covers[0].binding, state, v),
             With(domain, {"At(b1, p2)", "At(b2, p1)"}));
 }
 
@@ -195,7 +195,7 @@ TEST(Domain, AnEffectOnEachReachesAllOfWhichItsConditionHeld) {
   const State state = With(domain, {"At(b1, p1)", "At(b2, p1)"});
   const auto covers =
       ApplicableRules(move, arguments, state, v, Agent::kPerson);
-  EXPECT_EQ(After(move.rules[0].outcomes[1], covers.at(0).binding, state, v),
+  EXPECT_EQ(Apply(move.rules[0].outcomes[1], covers.at(0).binding, state, v),
             With(domain, {"At(b1, p1)", "At(b2, p1)", "Open(b1)", "Open(b2)"}));
 }
 
@@ -340,7 +340,7 @@ TEST(DomainOfRobots, AddsWhatARobotNeedsToEachRuleAndLeavesThePersonAlone) {
   const auto covers = ApplicableRules(put, b1, held, v, Agent::kRobot);
   ASSERT_EQ(covers.size(), 1u);
   EXPECT_EQ(
-      After(put.rules[covers[0].rule].outcomes[0], covers[0].binding, held, v),
+      Apply(put.rules[covers[0].rule].outcomes[0], covers[0].binding, held, v),
       With(domain, {"In(b1)"}));
 }
 

@@ -125,7 +125,8 @@ class ArmThatHoldsTheHead : public FasteningTest {
       permit.until_utime = (tick_ + 5) * kTickUs;
       Give("MOTION_PERMIT", permit);
       if (tick_ % 12 == 0) {
-        Give("TRACKS", TracksToMessage(stage_.AllTracked(), task_.cast));
+        Give("TRACKS",
+             TracksToMessage(stage_.AllTracked(), task_.scene_objects));
       };
       ++tick_;
       const auto inputs = std::exchange(inputs_, {});

@@ -25,7 +25,8 @@ TEST_F(SecMessagesTest, AKeyFrameComesBackAsItWentIn) {
   stage_.Hold("hand_left", "head");
   stage_.Remove("separator");
   const KeyFrame frame = stage_.Frame();
-  const auto back = KeyFrameFromMessage(KeyFrameToMessage(frame), task_.cast);
+  const auto back =
+      KeyFrameFromMessage(KeyFrameToMessage(frame), task_.scene_objects);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->utime, frame.utime);
   EXPECT_EQ(back->index, frame.index);
@@ -38,7 +39,7 @@ TEST_F(SecMessagesTest, AKeyFrameComesBackAsItWentIn) {
 
 TEST_F(SecMessagesTest, AForgedKeyFrameIsRefused) {
   const key_frame_t good = KeyFrameToMessage(stage_.Frame());
-  ASSERT_TRUE(KeyFrameFromMessage(good, task_.cast));
+  ASSERT_TRUE(KeyFrameFromMessage(good, task_.scene_objects));
   const std::vector<std::function<void(key_frame_t&)>> forgeries = {
       [](key_frame_t& m) { m.index = -1; },
       [](key_frame_t& m) { m.relations[3].relation = 3; },
@@ -58,7 +59,7 @@ TEST_F(SecMessagesTest, AForgedKeyFrameIsRefused) {
   for (size_t i = 0; i < forgeries.size(); ++i) {
     key_frame_t message = good;
     forgeries[i](message);
-    EXPECT_FALSE(KeyFrameFromMessage(message, task_.cast)) << i;
+    EXPECT_FALSE(KeyFrameFromMessage(message, task_.scene_objects)) << i;
   }
 }
 
@@ -77,8 +78,8 @@ TEST_F(SecMessagesTest, TracksComeBackAsTheyWentIn) {
   Tracks tracks = TracksWithHand(stage_);
   tracks.utime = 96'000;
   tracks.tracks[1].state = Track::State::kFrozen;
-  const auto back =
-      TracksFromMessage(TracksToMessage(tracks, task_.cast), task_.cast);
+  const auto back = TracksFromMessage(
+      TracksToMessage(tracks, task_.scene_objects), task_.scene_objects);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->utime, 96'000);
   ASSERT_EQ(back->tracks.size(), tracks.tracks.size());
@@ -94,8 +95,9 @@ TEST_F(SecMessagesTest, TracksComeBackAsTheyWentIn) {
 }
 
 TEST_F(SecMessagesTest, ForgedTracksAreRefused) {
-  const tracks_t good = TracksToMessage(TracksWithHand(stage_), task_.cast);
-  ASSERT_TRUE(TracksFromMessage(good, task_.cast));
+  const tracks_t good =
+      TracksToMessage(TracksWithHand(stage_), task_.scene_objects);
+  ASSERT_TRUE(TracksFromMessage(good, task_.scene_objects));
   size_t hand = 0;
   while (good.tracks[hand].name != "hand_left") ++hand;
   const std::vector<std::function<void(tracks_t&)>> forgeries = {
@@ -122,7 +124,7 @@ TEST_F(SecMessagesTest, ForgedTracksAreRefused) {
   for (size_t i = 0; i < forgeries.size(); ++i) {
     tracks_t message = good;
     forgeries[i](message);
-    EXPECT_FALSE(TracksFromMessage(message, task_.cast)) << i;
+    EXPECT_FALSE(TracksFromMessage(message, task_.scene_objects)) << i;
   }
 }
 

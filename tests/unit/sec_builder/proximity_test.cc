@@ -32,7 +32,7 @@ class ProximityTest : public testing::Test {
         AddHand(*known.type, hand, X_WG, opening_, truth);
       }
     }
-    return IdealTracker(task_.cast, task_.layout, {}).Update(truth);
+    return IdealTracker(task_.scene_objects, task_.layout, {}).Update(truth);
   }
 
   std::set<std::string> TouchedBy(const std::string& name) const {
@@ -53,16 +53,16 @@ class ProximityTest : public testing::Test {
       {"gripper_left", Isometry3d(Translation3d(-0.3, 0.3, 0.5))},
       {"gripper_right", Isometry3d(Translation3d(0.3, 0.3, 0.5))}};
   double opening_ = 0.1;
-  ProximitySensor sensor_{task_.cast, task_.parts, {}};
+  ProximitySensor sensor_{task_.scene_objects, task_.parts, {}};
 };
 
 TEST_F(ProximityTest, MeasuresAllPairs) {
-  const size_t n = task_.cast.names().size();
+  const size_t n = task_.scene_objects.names().size();
   EXPECT_EQ(sensor_.Measure(Seen()).size(), n * (n - 1) / 2);
 }
 
 TEST_F(ProximityTest, AtFirstPartsTouchTheTableAlone) {
-  for (const std::string& part : task_.cast.parts()) {
+  for (const std::string& part : task_.scene_objects.parts()) {
     if (part == "base") {
       EXPECT_TRUE(TouchedBy(part).empty());
     } else {
@@ -105,7 +105,7 @@ TEST_F(ProximityTest, HandsTouchEachOtherAndTheTable) {
 TEST_F(ProximityTest, WhatIsNotTrackedIsNotMeasured) {
   Tracks tracks = Seen();
   tracks.tracks[0].state = Track::State::kFrozen;
-  const size_t n = task_.cast.names().size() - 1;
+  const size_t n = task_.scene_objects.names().size() - 1;
   EXPECT_EQ(sensor_.Measure(tracks).size(), n * (n - 1) / 2);
 }
 

@@ -70,13 +70,13 @@ class IdealTrackerTest : public testing::Test {
 
   ShippedTask task_;
   Stage stage_{task_};
-  IdealTracker tracker_{task_.cast, task_.layout, {}};
+  IdealTracker tracker_{task_.scene_objects, task_.layout, {}};
 };
 
 TEST_F(IdealTrackerTest, TracksPartsAtTheirTruePoses) {
   const Tracks tracks = tracker_.Update(Truth());
   EXPECT_EQ(tracks.utime, 96'000);
-  for (const std::string& part : task_.cast.parts()) {
+  for (const std::string& part : task_.scene_objects.parts()) {
     const Track* track = tracks.Find(part);
     ASSERT_NE(track, nullptr) << part;
     EXPECT_TRUE(track->X_WO.isApprox(stage_.PoseOf(part)));

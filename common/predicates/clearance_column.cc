@@ -1,8 +1,8 @@
+#include "common/predicates/clearance_column.h"
+
 #include <fmt/format.h>
 
 #include <stdexcept>
-
-#include "common/predicates/clearance_column.h"
 
 namespace cell {
 namespace {

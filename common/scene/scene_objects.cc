@@ -1,10 +1,10 @@
+#include "common/scene/scene_objects.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
-
-#include "common/scene/scene_objects.h"
 
 namespace cell {
 namespace {
