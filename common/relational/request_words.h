@@ -27,8 +27,8 @@ class RequestWords {
                                  const Vocabulary& vocabulary,
                                  const std::vector<Action>& actions);
 
-  /// "take out of base.shaft what is in it"; nothing if the domain has no words
-  /// for it.
+  /// "take out of frame.hole_1 what is in it"; nothing if the domain has no
+  /// words for it.
   std::optional<std::string> ToMake(const GroundAtom& atom, bool is_true,
                                     const Vocabulary& vocabulary) const;
   /// "put the bolt_1 into frame.hole_1"; nothing as before.

@@ -54,7 +54,9 @@ std::string WhatToDo(const SQLite::Exception& e) {
 // What is to be opened in place of a library that cannot be written.
 std::optional<LibraryCopy> CopyIfLocked(const std::filesystem::path& file,
                                         SqliteActionStore::Mode mode) {
-  const bool is_there = std::filesystem::exists(file);
+  std::error_code error;  // e.g. a folder that this user may not enter
+  const bool is_there = std::filesystem::exists(file, error);
+  if (error) Fail(file, kLocked);
   const bool is_locked = is_there && !LibraryCopy::IsWritable(file);
   if (mode == SqliteActionStore::Mode::kCreate) {
     if (is_locked) Fail(file, kLocked);

@@ -40,8 +40,8 @@ std::string AskForReach(const RequiredChange& change, const State& state,
                      OutOfWhoseReach(atom, state, vocabulary));
 }
 
-/// "put the shaft into base.shaft"; without words of the domain "do
-/// Insert(shaft, base.shaft)".
+/// "put the bolt_1 into hole_1"; without words of the domain "do Insert(bolt_1,
+/// hole_1)".
 std::string WordsFor(const GroundAction& action, const RuleSet& rules,
                      const RequestWords& requests) {
   const auto words = requests.ToDo(rules.ActionOf(action).name,
@@ -49,8 +49,8 @@ std::string WordsFor(const GroundAction& action, const RuleSet& rules,
   return words.value_or("do " + rules.Show(action));
 }
 
-/// "take out of base.shaft what is in it"; without words of the domain "see to
-/// it that Free(base.shaft)".
+/// "take out of hole_1 what is in it"; without words of the domain "see to it
+/// that Free(hole_1)".
 std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                      const RequestWords& requests) {
   const bool is_true = change.truth == Truth::kTrue;

@@ -24,7 +24,7 @@ ExecutionStatus AskForHelp(const CurrentPlan& plan, const State& state,
 std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
                             const RequestWords& requests);
 
-/// "please screw the head on": the step is left to the person.
+/// "please put the lid on": the step is left to the person.
 std::string AskForStep(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests);
 

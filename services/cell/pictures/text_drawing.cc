@@ -18,8 +18,8 @@ namespace {
 using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kInk = {20, 20, 20};
-constexpr Colour kPlate = {250, 250, 240};
-constexpr int kMargin = 2;  // of the plate, before scaling
+constexpr Colour kBackground = {250, 250, 240};
+constexpr int kMargin = 2;  // of the background, before scaling
 
 /// The corners of a rectangle that the font is made of, as it writes them.
 struct Corner {
@@ -65,7 +65,7 @@ std::array<int, 2> TextSize(const std::string& text, int scale) {
 void DrawText(const std::string& text, int column, int row, int scale,
               RgbImage* picture) {
   const auto [width, height] = TextSize(text, scale);
-  Fill(column, row, column + width, row + height, kPlate, picture);
+  Fill(column, row, column + width, row + height, kBackground, picture);
   const auto at = [&](float units) {
     return static_cast<int>(units) * scale + kMargin * scale;
   };

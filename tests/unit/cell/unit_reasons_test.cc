@@ -83,9 +83,10 @@ TEST(UnitEnvironment, NamesFileKeyAndLineOfWhatIsWrong) {
   EXPECT_EQ(ErrorOf("# a cell\nCELL_DEMONSTRATION=assembly\nCELL_SEED=\"7\"\n"
                     "OTHER=1\n"),
             "");
-  EXPECT_THAT(ErrorOf("\nCELL_DEMONSTRATION=asembly\n"),
-              AllOf(HasSubstr("environment:CELL_DEMONSTRATION: "),
-                    HasSubstr("but: assembly"), HasSubstr("(line 2)")));
+  EXPECT_THAT(
+      ErrorOf("\nCELL_DEMONSTRATION=asembly\n"),
+      AllOf(HasSubstr("environment:CELL_DEMONSTRATION: "),
+            HasSubstr("did you mean 'assembly'?"), HasSubstr("(line 2)")));
   EXPECT_THAT(ErrorOf("CELL_SEED=seven"),
               HasSubstr("environment:CELL_SEED: 'seven'"));
   EXPECT_THAT(ErrorOf("CELL_URL=udpm://10.0.0.1:7667"),

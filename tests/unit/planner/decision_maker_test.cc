@@ -109,7 +109,7 @@ TEST_F(Deciding, RefusesAGoalThatIsNotThereAndAnyWithoutAnEpisode) {
   EXPECT_THAT(maker_.SetGoal("one").reason(), HasSubstr("no episode runs"));
   Begin("person");
   EXPECT_THAT(maker_.SetGoal("two").reason(),
-              HasSubstr("no goal 'two', but: done one"));
+              HasSubstr("no goal 'two'; known: done, one"));
   EXPECT_TRUE(maker_.SetGoal("one"));
   EXPECT_EQ(Sense({}).plan->plan.steps.size(), 1u);
   maker_.OnEpisodeEnd(now_);
