@@ -9,6 +9,7 @@
 
 #include "common/bus/event_log.h"
 #include "common/bus/run_log.h"
+#include "common/imaging/png_file.h"
 #include "tests/system/run_cell.h"
 
 namespace cell {
@@ -356,6 +357,20 @@ TEST_F(CellCommand, TheReadmesCommandsRun) {
     ++num_run;
   }
   EXPECT_GE(num_run, 6);
+
+  // The README's own picture, by the id of every pixel.
+  ASSERT_EQ(Cell("view runs/sim-0003 --ids --out ids.png").code, 0);
+  const RgbImage fresh = ReadColourPng(dir_ / "ids.png");
+  const RgbImage shown =
+      ReadColourPng(fs::path(CELL_SOURCE_DIR) / "docs/assembled_ids.png");
+  ASSERT_EQ(fresh.pixels.size(), shown.pixels.size());
+  size_t num_different = 0;
+  for (size_t i = 0; i < fresh.pixels.size(); ++i) {
+    num_different += fresh.pixels[i] != shown.pixels[i];
+  }
+  EXPECT_LE(num_different, fresh.pixels.size() / 100)
+      << "draw docs/assembled.png and docs/assembled_ids.png anew, by `cell "
+         "view` as in the README, with --ids for the second";
 }
 
 }  // namespace

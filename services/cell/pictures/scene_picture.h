@@ -11,7 +11,7 @@ namespace cell::cli {
 
 /// From where and how a picture of the cell is taken, and what fills it.
 struct Viewpoint {
-  double azimuth_deg = -62;   ///< of the camera about z of W, from x
+  double azimuth_deg = -90;   ///< of the camera about z of W, from x
   double elevation_deg = 38;  ///< above the table
   /// "cell": all but the table; "parts": the task's parts; or the name of a
   /// body, or of what has several bodies: "arm_left".
