@@ -25,11 +25,12 @@ Part Column(double radius, double low, double high) {
 
 }  // namespace
 
-Way::Way(double radius, double low, double high)
+ClearanceColumn::ClearanceColumn(double radius, double low, double high)
     : column_(std::make_shared<const PartShape>(Column(radius, low, high))) {}
 
-bool Way::IsBlockedBy(const PartShape& part, const Eigen::Isometry3d& X_WO,
-                      const Eigen::Isometry3d& X_WC) const {
+bool ClearanceColumn::IsBlockedBy(const PartShape& part,
+                                  const Eigen::Isometry3d& X_WO,
+                                  const Eigen::Isometry3d& X_WC) const {
   constexpr double kContact = 1e-6;
   return PartShape::Distance(*column_, X_WC, part, X_WO, kContact) < kContact;
 }

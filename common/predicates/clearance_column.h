@@ -10,10 +10,10 @@ namespace cell {
 
 /// A round column that must be empty for something to pass, along z of its
 /// frame C.
-class Way {
+class ClearanceColumn {
  public:
   /// From z = low to z = high, in m.
-  Way(double radius, double low, double high);
+  ClearanceColumn(double radius, double low, double high);
 
   bool IsBlockedBy(const PartShape& part, const Eigen::Isometry3d& X_WO,
                    const Eigen::Isometry3d& X_WC) const;

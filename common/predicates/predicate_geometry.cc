@@ -63,7 +63,7 @@ class Reader {
     CheckParts(0);
     const double finger = config.Number("finger_mm", 0.1, 1000) * 1e-3;
     const double above = config.Number("above_mm", 0.1, 10'000) * 1e-3;
-    return {finger, Way(finger, 0, above)};
+    return {finger, ClearanceColumn(finger, 0, above)};
   }
 
   FreeSpaceGeometry ReadSpace(const Config& config) const {
@@ -75,7 +75,8 @@ class Reader {
       const Site& site = *parts_.FindSite(Name(object));
       if (!(site.opening > 0)) Fail(site.name + " has no opening");
       const double floor = FloorOf(site);
-      space.ways.emplace_back(site.opening, floor, floor + site.depth + above);
+      space.columns.emplace_back(site.opening, floor,
+                                 floor + site.depth + above);
     }
     return space;
   }

@@ -34,15 +34,16 @@ struct TiltedGeometry {
 /// fingertips of some grasp columns of this radius and height are free of what
 /// lies over it. In a hand it is graspable anyway.
 struct GraspableGeometry {
-  double finger = 0;  ///< [m] radius
-  Way way;            ///< up from a fingertip
+  double finger = 0;       ///< [m] radius
+  ClearanceColumn column;  ///< up from a fingertip
 };
 
 /// free_space: {above_mm}
 /// Nothing is in the argument's column: as wide as the site's `opening`, from
 /// its floor to so far above its mouth.
 struct FreeSpaceGeometry {
-  std::vector<Way> ways;  ///< in S, of each object of the argument's type
+  std::vector<ClearanceColumn>
+      columns;  ///< in S, of each object of the argument's type
 };
 
 /// No geometry tells: the arms report it.

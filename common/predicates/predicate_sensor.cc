@@ -67,15 +67,10 @@ State PredicateSensor::Sense(const Scene& scene) const {
   return state;
 }
 
-Truth PredicateSensor::SenseAtom(const GroundAtom& atom,
+template <>
+Truth PredicateSensor::SenseKind(const SeatedGeometry& seated,
+                                 const GroundAtom& atom,
                                  const View& view) const {
-  return std::visit(
-      [&](const auto& geometry) { return Sense(geometry, atom, view); },
-      geometries_[Index(atom.predicate)]);
-}
-
-Truth PredicateSensor::Sense(const SeatedGeometry& seated,
-                             const GroundAtom& atom, const View& view) const {
   const size_t part = PartOf(atom.objects[0]);
   const Site& site = seated.site ? *seated.site : SiteOf(atom.objects[1]);
   if (!Fits(parts_.parts()[part], site)) return Truth::kFalse;
@@ -95,15 +90,19 @@ Truth PredicateSensor::Sense(const SeatedGeometry& seated,
                                       seated.tolerance));
 }
 
-Truth PredicateSensor::Sense(const TiltedGeometry& tilted,
-                             const GroundAtom& atom, const View& view) const {
+template <>
+Truth PredicateSensor::SenseKind(const TiltedGeometry& tilted,
+                                 const GroundAtom& atom,
+                                 const View& view) const {
   const Scene::Item& item = view.scene.items[PartOf(atom.objects[0])];
   if (item.visibility != Visibility::kSeen) return Truth::kUnknown;
   return FromBool(TiltOf(item.X_WO) > tilted.over);
 }
 
-Truth PredicateSensor::Sense(const GraspableGeometry& graspable,
-                             const GroundAtom& atom, const View& view) const {
+template <>
+Truth PredicateSensor::SenseKind(const GraspableGeometry& graspable,
+                                 const GroundAtom& atom,
+                                 const View& view) const {
   const size_t part = PartOf(atom.objects[0]);
   if (view.scene.items[part].visibility != Visibility::kSeen)
     return Truth::kUnknown;
@@ -121,13 +120,16 @@ Truth PredicateSensor::Sense(const GraspableGeometry& graspable,
   return truth;
 }
 
-Truth PredicateSensor::Sense(const FreeSpaceGeometry& space,
-                             const GroundAtom& atom, const View& view) const {
+template <>
+Truth PredicateSensor::SenseKind(const FreeSpaceGeometry& space,
+                                 const GroundAtom& atom,
+                                 const View& view) const {
   const auto& objects = vocabulary_.ObjectsOf(
       vocabulary_.predicates()[Index(atom.predicate)].argument_types[0]);
   const auto place =
       std::lower_bound(objects.begin(), objects.end(), atom.objects[0]);
-  const Way& way = space.ways[static_cast<size_t>(place - objects.begin())];
+  const ClearanceColumn& column =
+      space.columns[static_cast<size_t>(place - objects.begin())];
   const Site& site = SiteOf(atom.objects[0]);
   const size_t host = IndexOfPart(site.host);
   if (view.scene.items[host].visibility != Visibility::kSeen)
@@ -140,7 +142,7 @@ Truth PredicateSensor::Sense(const FreeSpaceGeometry& space,
     const bool may_be_there =
         item.visibility == Visibility::kMissing
             ? Fits(parts_.parts()[i], site)
-            : way.IsBlockedBy(shapes_[i], item.X_WO, X_WS);
+            : column.IsBlockedBy(shapes_[i], item.X_WO, X_WS);
     if (!may_be_there) continue;
     truth = FalseIfSeen(item.visibility);
     if (truth == Truth::kFalse) break;
@@ -148,10 +150,18 @@ Truth PredicateSensor::Sense(const FreeSpaceGeometry& space,
   return truth;
 }
 
-Truth PredicateSensor::Sense(const ReportedGeometry& /*reported*/,
-                             const GroundAtom& /*atom*/,
-                             const View& /*view*/) const {
+template <>
+Truth PredicateSensor::SenseKind(const ReportedGeometry& /*reported*/,
+                                 const GroundAtom& /*atom*/,
+                                 const View& /*view*/) const {
   return Truth::kUnknown;
+}
+
+Truth PredicateSensor::SenseAtom(const GroundAtom& atom,
+                                 const View& view) const {
+  return std::visit(
+      [&](const auto& geometry) { return SenseKind(geometry, atom, view); },
+      geometries_[Index(atom.predicate)]);
 }
 
 std::vector<size_t> PredicateSensor::PartsOver(size_t part,
@@ -183,7 +193,8 @@ bool PredicateSensor::CoversGrasps(size_t cover, size_t part,
       const double x = side * (grasp.width / 2 + graspable.finger);
       const Isometry3d X_WTip(
           Eigen::Translation3d(X_WO * (grasp.X_OG * Vector3d(x, 0, 0))));
-      if (graspable.way.IsBlockedBy(shapes_[cover], X_WC, X_WTip)) return true;
+      if (graspable.column.IsBlockedBy(shapes_[cover], X_WC, X_WTip))
+        return true;
     }
     return false;
   };

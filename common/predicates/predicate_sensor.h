@@ -42,16 +42,10 @@ class PredicateSensor {
   };
 
   Truth SenseAtom(const GroundAtom& atom, const View& view) const;
-  Truth Sense(const SeatedGeometry& seated, const GroundAtom& atom,
-              const View& view) const;
-  Truth Sense(const TiltedGeometry& tilted, const GroundAtom& atom,
-              const View& view) const;
-  Truth Sense(const GraspableGeometry& graspable, const GroundAtom& atom,
-              const View& view) const;
-  Truth Sense(const FreeSpaceGeometry& space, const GroundAtom& atom,
-              const View& view) const;
-  Truth Sense(const ReportedGeometry& reported, const GroundAtom& atom,
-              const View& view) const;
+  /// One for each kind of geometry.
+  template <class Geometry>
+  Truth SenseKind(const Geometry& geometry, const GroundAtom& atom,
+                  const View& view) const;
   /// Parts that lie over `part`: all of them are higher than its middle.
   std::vector<size_t> PartsOver(size_t part, const View& view) const;
   bool CoversGrasps(size_t cover, size_t part,
