@@ -49,7 +49,7 @@ std::string WordsFor(const GroundAction& action, const RuleSet& rules,
   return words.value_or("do " + rules.Show(action));
 }
 
-/// "take out of hole_1 what is in it"; without words of the domain "see to it
+/// "remove what is in hole_1"; without words of the domain "see to it
 /// that Free(hole_1)".
 std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                      const RequestWords& requests) {

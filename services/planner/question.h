@@ -18,7 +18,7 @@ ExecutionStatus AskForHelp(const CurrentPlan& plan, const State& state,
                            const FailureHistory& failures,
                            const RequestWords& requests);
 
-/// "take away what lies over the lid; take out of hole_1 what is in it": what
+/// "take away what lies over the lid; remove what is in hole_1": what
 /// would have to be done so that there is a plan; empty: nothing would help.
 std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
                             const RequestWords& requests);
