@@ -25,7 +25,8 @@ std::string Indented(const std::string& text) {
 
 YAML::Node Block(const std::string& text, const std::string& where) {
   if (text.find_first_of(kAnchors) != std::string::npos) {
-    throw ConfigError(where + ": anchors and aliases (& and *) cannot be kept");
+    throw ConfigError(where +
+                      ": anchors and aliases (& and *) are not supported");
   }
   // yaml-cpp stops in silence where a document ends too early, and LoadAll()
   // may not come to an end at all: what comes behind the text must be there.
@@ -39,7 +40,7 @@ YAML::Node Block(const std::string& text, const std::string& where) {
   } catch (const YAML::Exception& e) {
     throw ConfigError(where + ": not YAML: " + e.msg);
   }
-  throw ConfigError(where + ": not one whole YAML document");
+  throw ConfigError(where + ": not one complete YAML document");
 }
 
 /// The action as it would stand in a task's domain.yaml, but for `undoes`.
@@ -61,9 +62,9 @@ Config ConfigOf(const ActionRecord& record) {
       {"skill", &record.skill}};
   for (const auto& [key, text] : blocks) {
     if (text->size() > ActionRecord::kMaxBytes) {
-      throw ConfigError(fmt::format("{}:{}: {} bytes are too many; {} are read",
-                                    record.name, key, text->size(),
-                                    ActionRecord::kMaxBytes));
+      throw ConfigError(
+          fmt::format("{}:{}: {} bytes are too many; at most {} are read",
+                      record.name, key, text->size(), ActionRecord::kMaxBytes));
     }
     if (!text->empty()) node[key] = Block(*text, record.name + ":" + key);
   }
@@ -105,13 +106,13 @@ void RequireSameArguments(const ActionRecord& record, const Action& action,
     types.push_back(domain.vocabulary().types().name(argument.type));
   }
   Fail(record, "arguments",
-       fmt::format("a new version keeps those of the last: {}",
+       fmt::format("a new version must keep those of the last: {}",
                    fmt::join(types, ", ")));
 }
 
 Action ActionFrom(const Config& config, const ActionRecord& record,
                   const Domain& domain) {
-  if (record.agents.empty()) Fail(record, "agents", "nobody can do it");
+  if (record.agents.empty()) Fail(record, "agents", "names no agent");
   if (record.rules.empty()) Fail(record, "rules", "missing");
   Action action = LoadAction(record.name, config, domain.vocabulary());
   RequireSameArguments(record, action, domain);
@@ -126,7 +127,7 @@ auto Guarded(const ActionRecord& record, Function read) {
   try {
     return read(ConfigOf(record));
   } catch (const YAML::Exception& e) {
-    throw ConfigError(record.name + ": not the YAML of a domain: " + e.msg);
+    throw ConfigError(record.name + ": not valid YAML of a domain: " + e.msg);
   }
 }
 

@@ -63,12 +63,12 @@ Result<MotionRequest::Arm> FromMessage(const arm_posture_t& message,
   if (arm == nullptr) return Reason{"there is no arm " + message.arm};
   if (arm->hand.FindGrip(message.grip) == nullptr ||
       !IsLength(message.opening)) {
-    return Reason{message.arm + ": a grip or an opening that cannot be"};
+    return Reason{message.arm + ": an impossible grip or opening"};
   }
   const auto q = AnglesFromMessage(message.position, *arm->model);
   if (!q) return Reason{message.arm + ": " + q.reason()};
   const auto X_GO = PoseFromMessage(message.pose_gripper_held);
-  if (!X_GO) return Reason{message.arm + ": what it holds has no pose"};
+  if (!X_GO) return Reason{message.arm + ": the held part has no pose"};
   MotionRequest::Arm known{{*q, message.grip, message.opening}, std::nullopt};
   if (message.held.empty()) return known;
   const Part* part = parts.Find(message.held);
@@ -86,13 +86,13 @@ std::optional<Reason> ReadScene(const motion_request_t& message,
                                 MotionRequest* request) {
   if (message.arms.size() > layout.arms.size() ||
       message.parts.size() > parts.parts().size()) {
-    return Reason{"more arms or parts than there are"};
+    return Reason{"more arms or parts than the cell has"};
   }
   for (const arm_posture_t& entry : message.arms) {
     auto arm = FromMessage(entry, parts, layout);
     if (!arm) return Reason{arm.reason()};
     if (!request->arms.emplace(entry.arm, *std::move(arm)).second) {
-      return Reason{entry.arm + " comes twice"};
+      return Reason{entry.arm + " is listed twice"};
     }
   }
   for (const body_pose_t& entry : message.parts) {
@@ -100,11 +100,11 @@ std::optional<Reason> ReadScene(const motion_request_t& message,
     if (!X_WO || parts.Find(entry.name) == nullptr ||
         !request->parts.emplace(entry.name, *X_WO).second) {
       return Reason{"part '" + entry.name +
-                    "' is not known, comes twice or has no pose"};
+                    "' is not known, is listed twice or has no pose"};
     }
   }
   if (request->arms.contains(request->arm)) return std::nullopt;
-  return Reason{"it does not say how " + request->arm + " stands"};
+  return Reason{"it lacks the state of " + request->arm};
 }
 
 /// What its kind needs is there.
@@ -166,7 +166,7 @@ Result<MotionRequest> FromMessage(const motion_request_t& message,
   if (arm == nullptr) return Reason{"there is no arm " + message.arm};
   if (message.kind < motion_request_t::GRASP ||
       message.kind > motion_request_t::REACH || message.targets.size() > 1) {
-    return Reason{"a kind that is not known, or more than one target"};
+    return Reason{"an unknown kind, or more than one target"};
   }
   MotionRequest request;
   request.id = message.id;
@@ -188,12 +188,13 @@ Result<MotionRequest> FromMessage(const motion_request_t& message,
   request.goal = *goal;
   if (!message.targets.empty()) {
     request.target = FromMessage(message.targets.front());
-    if (!request.target) return Reason{"a target that cannot be"};
+    if (!request.target) return Reason{"an impossible target"};
   }
   if (auto why = ReadScene(message, parts, layout, &request)) {
     return *std::move(why);
   }
-  if (!IsWhole(request, parts)) return Reason{"what its kind needs is missing"};
+  if (!IsWhole(request, parts))
+    return Reason{"a field that its kind needs is missing"};
   return request;
 }
 
@@ -226,16 +227,16 @@ Result<MotionPlan> FromMessage(const motion_plan_t& message,
   if (arm == nullptr) return Reason{"there is no arm " + message.arm};
   if (message.is_found != message.reason.empty() ||
       message.waypoints.size() > kMaxWaypoints) {
-    return Reason{"neither a way nor a reason why there is none"};
+    return Reason{"neither a path nor a reason why there is none"};
   }
   if (!IsLength(message.opening) || !IsLength(message.width) ||
       (!message.grip.empty() && arm->hand.FindGrip(message.grip) == nullptr)) {
-    return Reason{"a grip that " + message.arm + " has not"};
+    return Reason{"a grip that " + message.arm + " does not have"};
   }
   const auto X_OG = PoseFromMessage(message.pose_object_gripper);
   const auto target = FromMessage(message.target);
   const auto X_WO = PoseFromMessage(message.pose_world_object);
-  if (!X_OG || !target || !X_WO) return Reason{"a pose that cannot be"};
+  if (!X_OG || !target || !X_WO) return Reason{"an impossible pose"};
   MotionPlan plan;
   plan.id = message.id;
   plan.arm = message.arm;

@@ -13,7 +13,7 @@ motion_request_t ToMessage(const MotionRequest& request);
 
 /// A reason if it names a part, an arm or a grip that there is not, if joints
 /// are not as many as the arm's or beyond its limits, a number is not finite or
-/// what its kind needs is missing.
+/// a field that its kind needs is missing.
 Result<MotionRequest> FromMessage(const motion_request_t& message,
                                   const PartTable& parts,
                                   const CellLayout& layout);

@@ -209,7 +209,7 @@ JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
                    const PathPlannerParams& params) {
   if (goals.empty()) return Reason{"there is no goal"};
   if (const auto why = why_blocked(start)) {
-    return Reason{"where it stands, " + *why};
+    return Reason{"at the start, " + *why};
   }
   std::vector<Joints> open;
   std::string reason;
@@ -235,7 +235,7 @@ JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
   std::vector<Joints> path = search.GrowTrees(start, open);
   if (path.empty()) {
     const auto why = WhyEdgeBlocked(start, open.front(), why_blocked, params);
-    return Reason{"no way around: " + why.value_or("the goal")};
+    return Reason{"no path around: " + why.value_or("the goal")};
   }
   search.Shorten(&path);
   return path;

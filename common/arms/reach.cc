@@ -43,7 +43,7 @@ Reach::Reach(const ArmScene& scene, const std::string& arm,
 Choices<GraspChoice> Reach::Grasps(const std::string& part_name,
                                    const Joints& seed) const {
   const auto X_WO = scene_.PoseOf(part_name);
-  if (!X_WO) return Reason{part_name + " is nowhere to be taken from"};
+  if (!X_WO) return Reason{part_name + " has no known pose to grasp it at"};
   ReachSearch search(*arm_, params_);
   const ClearanceRule open{params_.clearance, {}};
   const ClearanceRule leaving = Grazing(part_name, *X_WO);

@@ -136,7 +136,7 @@ bool ReachSearch::IsFree(const ArmScene& scene,
 bool ReachSearch::Suits(const GraspChoice& choice) {
   const HandType& hand = arm_.hand;
   if (hand.FindGrip(choice.grip) == nullptr) {
-    Fail(Stage::kGrip, "the hand cannot grip like that");
+    Fail(Stage::kGrip, "the hand does not have this grip");
     return false;
   }
   if (choice.opening > hand.max_opening) {
@@ -189,7 +189,7 @@ std::vector<ReachSearch::Candidate<PlaceChoice>> ReachSearch::ToPlace(
     // The last joint turns against z of G.
     const double along = -X_WG.linear().col(2).dot(target.way_out);
     if (target.turn != 0 && std::abs(along) < kAligned) {
-      Fail(Stage::kHand, "the grip is off the axis to turn about");
+      Fail(Stage::kHand, "the grip is off the axis of rotation");
       continue;
     }
     const Isometry3d X_WG_begin =

@@ -24,8 +24,8 @@ void PublishAnswer(Bus& bus, const std::string& channel,
 
 CommandAnswer RefuseLate(int64_t deadline_utime, int64_t now) {
   return CommandAnswer::Refuse(fmt::format(
-      "it has come at {:.2f} s, {:.2f} s past its deadline; a later --deadline "
-      "lets it",
+      "it arrived at {:.2f} s, {:.2f} s past its deadline; give it a later "
+      "--deadline",
       1e-6 * static_cast<double>(now),
       1e-6 * (static_cast<double>(now) - static_cast<double>(deadline_utime))));
 }

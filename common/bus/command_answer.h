@@ -46,7 +46,7 @@ void AnswerCommands(Bus& bus, const std::string& channel, Handler handler) {
     const auto message = Decode<M>(bytes);
     if (!message) {
       return CommandAnswer::Refuse(
-          std::string("it is not a whole ") + M::getTypeName() +
+          std::string("it is not a complete ") + M::getTypeName() +
           " of this build's message types (cell types)");
     }
     if constexpr (requires { message->deadline_utime; }) {

@@ -75,7 +75,7 @@ void FollowNode::Compare(int32_t tick) {
   num_equal_ += ours - sent.begin();
   if (!difference_ && (ours != sent.end() || theirs != recorded.end())) {
     difference_ =
-        fmt::format("tick {}: {} is not as in the log", tick,
+        fmt::format("tick {}: {} differs from the log", tick,
                     ours != sent.end() ? ours->channel : theirs->channel);
   }
   sent_.erase(sent_.begin(), sent_.upper_bound(tick));

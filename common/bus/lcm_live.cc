@@ -80,7 +80,7 @@ class LcmLive {
     const int64_t tick = since.count() / kTickUs;
     if (tick > kMaxTick) {
       throw BusError(
-          "the cell has counted ticks for 99 days, and can no further; "
+          "the cell has run for 99 days, the most that ticks can count; run "
           "cell down, then cell up");
     }
     return static_cast<int32_t>(tick);

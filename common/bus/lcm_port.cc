@@ -50,7 +50,7 @@ LcmAddress LcmAddress::Parse(const std::string& url) {
   address.group = match[1];
   if (!IsMulticast(address.group)) {
     throw std::invalid_argument("'" + url +
-                                "': the group must be an address of multicast, "
+                                "': the group must be a multicast address, "
                                 "224.0.0.0 to 239.255.255.255");
   }
   const auto port = ParseDecimal<int>(match[2].str());
@@ -92,7 +92,7 @@ void LcmPort::Subscribe(const std::string& pattern, Handler handler) {
       pattern, &LcmPort::OnMessage, &subscriptions_.back());
   if (subscription == nullptr) {
     throw BusError("cannot subscribe to " + pattern +
-                   ": no receiving socket; is the multicast route there? "
+                   ": no receiving socket; is there a multicast route? "
                    "(ip route add 224.0.0.0/4 dev lo)");
   }
   subscription->setQueueCapacity(0);
@@ -116,7 +116,7 @@ void LcmPort::Publish(const std::string& channel, const Bytes& bytes) {
   if (lcm_.publish(channel, bytes.data(),
                    static_cast<unsigned>(bytes.size())) != 0) {
     throw BusError("LCM cannot publish on " + channel +
-                   "; is the multicast route there? (ip route add "
+                   "; is there a multicast route? (ip route add "
                    "224.0.0.0/4 dev lo)");
   }
 }

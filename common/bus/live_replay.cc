@@ -62,7 +62,7 @@ class LifeReplay {
         ++result->num_unrecorded;
       } else {
         result->difference =
-            fmt::format("tick {}: {} seq {} is not as in the log", output.tick,
+            fmt::format("tick {}: {} seq {} differs from the log", output.tick,
                         output.channel, output.seq);
         return false;
       }

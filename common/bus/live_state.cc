@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const char* what) {
   throw std::runtime_error(
-      fmt::format("{}: {}: {}; name a folder that this user may write with "
+      fmt::format("{}: {}: {}; name a folder that this user can write to with "
                   "--state-dir",
                   path.string(), what, std::strerror(errno)));
 }
@@ -79,7 +79,7 @@ int32_t LiveState::NextLife(const std::string& service) const {
       file && (!(file >> incarnation) || incarnation < 0)) {
     throw std::runtime_error(path.string() +
                              ": holds no count of starts; remove it only if no "
-                             "log of this cell is to be replayed any more");
+                             "log of this cell will be replayed again");
   }
   Replace(path, fmt::format("{}\n", incarnation + 1));
   return incarnation;

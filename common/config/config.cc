@@ -136,7 +136,7 @@ void Config::Finish() const {
 void Config::FinishNode(const YAML::Node& node, const std::string& path,
                         int line) const {
   if (!path.empty() && !shared_->used.contains(path)) {
-    FailAt(path, line, "not known; remove it or mend its spelling");
+    FailAt(path, line, "not known; remove it or correct its spelling");
   }
   if (node.IsMap()) {
     for (const auto& entry : node) {

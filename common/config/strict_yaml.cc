@@ -60,7 +60,7 @@ void RequireText(const std::string& text, const std::string& file) {
                        static_cast<unsigned char>(text[i])));
     }
     if (text[i] == '\t' && is_indent) {
-      Fail(file, "", line, "a tab indents; YAML is indented by spaces");
+      Fail(file, "", line, "indented by a tab; YAML is indented by spaces");
     }
     if (text[i] == '\n') ++line;
     is_indent = text[i] == '\n' || (is_indent && text[i] == ' ');
@@ -82,12 +82,13 @@ class Checker final : public YAML::EventHandler {
   }
   void OnDocumentEnd() override {
     if (num_documents_ > 2) {
-      Fail(file_, "", line_of_second_, "a second document begins; one is read");
+      Fail(file_, "", line_of_second_,
+           "a second document begins; only one is allowed");
     }
   }
   void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
     if (!names_.insert(name).second) {
-      Refuse(mark, "the anchor &" + name + " is there already");
+      Refuse(mark, "the anchor &" + name + " already exists");
     }
   }
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -99,7 +100,7 @@ class Checker final : public YAML::EventHandler {
     if (IsKeyNext()) Refuse(mark, "an alias cannot be a key");
     Begin(mark, "");
     if (!sizes_.contains(anchor)) {
-      Refuse(mark, "an alias stands within what it stands for");
+      Refuse(mark, "an alias refers to a value that contains it");
     }
     AddSize(YAML::NullAnchor, sizes_.at(anchor));
     if (total_ > kMaxNodes) {
@@ -174,19 +175,19 @@ class Checker final : public YAML::EventHandler {
              "keys out");
     }
     if (!frame.keys.insert(key).second) {
-      Refuse(mark, "the key is there already");
+      Refuse(mark, "the key already exists");
     }
   }
 
   void RequireNoTag(const YAML::Mark& mark, const std::string& tag) const {
     if (tag.empty() || tag == "?" || tag == "!") return;
-    Refuse(mark, "tags (" + tag + ") are not known here");
+    Refuse(mark, "tags (" + tag + ") are not supported");
   }
 
   void CheckValue(const YAML::Mark& mark, const std::string& tag,
                   const std::string& value) const {
     if (value.find('\0') != std::string::npos) {
-      Refuse(mark, "has the character 0");
+      Refuse(mark, "contains the character 0");
     }
     RequireUncut(mark, tag, value);
   }
@@ -271,9 +272,9 @@ YAML::Node LoadStrictYaml(const std::string& text, const std::string& file) {
       throw ConfigError(ConfigMessage(file, "", 0, "is empty"));
     }
     if (checker.num_documents() != 2 || !checker.has_seen_end()) {
-      throw ConfigError(ConfigMessage(
-          file, "", 0,
-          "is not one whole YAML document: is a quote or a bracket open?"));
+      throw ConfigError(ConfigMessage(file, "", 0,
+                                      "is not one complete YAML document: is a "
+                                      "quote or a bracket left open?"));
     }
     return YAML::Load(text);
   } catch (const YAML::Exception& e) {

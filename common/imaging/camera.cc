@@ -13,7 +13,7 @@ Camera CameraLookingAt(const Eigen::Vector3d& p_WC, const Eigen::Vector3d& p_WT,
   const Eigen::Vector3d ahead = p_WT - p_WC;
   const Eigen::Vector3d right = ahead.cross(Eigen::Vector3d::UnitZ());
   if (!(right.norm() > 1e-9 * ahead.norm())) {
-    throw std::invalid_argument("a camera that looks straight up or down");
+    throw std::invalid_argument("a camera cannot look straight up or down");
   }
   if (width <= 0 || height <= 0 ||
       !(horizontal_view_rad > 0 && horizontal_view_rad < std::numbers::pi)) {

@@ -45,7 +45,7 @@ Png Inspect(const std::filesystem::path& path) {
   Png png;
   RequireNoError(lodepng::load_file(png.file, path.string()), path);
   Require(EndsAsPng(png.file), path,
-          "is cut off, or has bytes behind its end: it should end with IEND");
+          "is cut off, or has bytes after its end: it should end with IEND");
   unsigned width = 0;
   unsigned height = 0;
   lodepng::State state;

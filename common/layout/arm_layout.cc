@@ -41,7 +41,7 @@ std::shared_ptr<const ArmModel> LoadModel(const Config& config) {
   const auto name = config.Get<std::string>("model");
   auto model = FindArmModel(name);
   if (model == nullptr) {
-    config["model"].Fail(fmt::format("there is no arm model '{}', but: {}",
+    config["model"].Fail(fmt::format("there is no arm model '{}'; known: {}",
                                      name, fmt::join(ArmModelNames(), ", ")));
   }
   return model;

@@ -52,7 +52,8 @@ CellLayout CellLayout::FromConfig(const Config& config) {
       const int precedence = layout.arms.back().precedence;
       if (std::ranges::count(layout.arms, precedence, &ArmLayout::precedence) >
           1) {
-        arm["precedence"].Fail("another arm has the same; one must go first");
+        arm["precedence"].Fail(
+            "another arm has the same value; they must differ");
       }
     }
     std::ranges::sort(layout.arms, {}, &ArmLayout::name);

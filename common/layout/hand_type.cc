@@ -33,7 +33,7 @@ HandType HandTypeFromConfig(const std::string& name, const Config& config) {
       grip.places.push_back(PlaceFromConfig(grip_config[box.name]));
     }
   }
-  if (type.grips.empty()) config["grips"].Fail("a hand grips in some way");
+  if (type.grips.empty()) config["grips"].Fail("a hand has at least one grip");
   return type;
 }
 

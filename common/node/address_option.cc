@@ -9,7 +9,7 @@ void AddressOption::AddTo(CLI::App& app) {
   app.add_option("--url", url, "LCM address of the cell; control port: +1")
       ->capture_default_str();
   app.add_flag("--allow-network", may_use_network,
-               "let a ttl above 0 in the --url reach other hosts");
+               "allow a ttl above 0 in --url, which reaches other hosts");
 }
 
 LcmAddress AddressOption::Get() const {
@@ -18,7 +18,7 @@ LcmAddress AddressOption::Get() const {
     throw std::invalid_argument(
         "--url " + url + ": with ttl=" + std::to_string(address.ttl) +
         " everyone on the network hears the cell and can speak in its name; "
-        "if that is meant, say --allow-network");
+        "if that is intended, add --allow-network");
   }
   return address;
 }

@@ -50,8 +50,9 @@ int RunClock(const std::string& name, int argc, char** argv,
   app.add_option("--pace", pace, "as fast as the machine allows, or realtime")
       ->check(CLI::IsMember({"fast", "realtime"}))
       ->capture_default_str();
-  app.add_option("--giveup", giveup_s,
-                 "end when a service is silent so long [s]; 0: wait for ever")
+  app.add_option(
+         "--giveup", giveup_s,
+         "end when a service is silent for this long [s]; 0: wait forever")
       ->check(NumberIn(0., 86400.));
   try {
     app.parse(argc, argv);

@@ -27,8 +27,9 @@ int Follow(const ServiceArguments& arguments, const Roster& roster,
   const FollowSummary summary =
       RunLcmFollow(arguments.address.Get(), roster, name, factory,
                    ReportToServiceManager(), StopOnSignals());
-  std::cerr << fmt::format("{}: followed {} ticks, {} messages as in the log\n",
-                           name, summary.num_ticks, summary.num_equal);
+  std::cerr << fmt::format(
+      "{}: followed {} ticks, {} messages identical to the log\n", name,
+      summary.num_ticks, summary.num_equal);
   if (!summary.difference) return 0;
   std::cerr << name << ": " << Printable(*summary.difference) << std::endl;
   return 1;
@@ -50,7 +51,7 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
       ->excludes("--live");
   std::string instance;
   if (has_instances) {
-    app.add_option("--instance", instance, "which of them, as in the roster")
+    app.add_option("--instance", instance, "which instance, as in the roster")
         ->required();
   }
   if (add_options) add_options(app);

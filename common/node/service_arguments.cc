@@ -10,9 +10,9 @@ void ServiceArguments::AddTo(CLI::App& app) {
   address.AddTo(app);
   app.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
   app.add_option("--run-dir", run_dir, "folder in which the run is recorded");
-  CLI::Option* live =
-      app.add_flag("--live", is_live,
-                   "by the wall clock, not in lockstep: as in a real cell");
+  CLI::Option* live = app.add_flag(
+      "--live", is_live,
+      "run by the wall clock, as a real cell does, not in lockstep");
   app.add_option("--state-dir", state_dir,
                  "folder in which a live cell counts its services' starts "
                  "(default: $STATE_DIRECTORY)")

@@ -32,11 +32,11 @@ void ReadLimits(const Config& config, PartJoint* joint) {
   const std::vector<double> limits = config.Numbers(key, 2);
   const double most = is_hinge ? kMaxTurn : kMaxLength;
   if (!(limits[0] < limits[1] && limits[0] >= -most && limits[1] <= most)) {
-    config[key].Fail("should be [lower, upper], rising, within " +
+    config[key].Fail("should be [lower, upper], ascending, within " +
                      std::to_string(static_cast<int>(most)));
   }
   if (!(limits[0] <= 0 && limits[1] >= 0)) {
-    config[key].Fail("should hold 0, where the part stands at first");
+    config[key].Fail("should contain 0, where the part is at the start");
   }
   const double unit = is_hinge ? kDeg : kMm;
   joint->lower = unit * limits[0];

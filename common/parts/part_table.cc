@@ -64,7 +64,7 @@ std::array<double, 3> Colour(const Config& config) {
 /// Of an articulated part: it is gripped by its handle alone.
 void ReadJoint(const Config& config, Part* part) {
   if (part->is_fixed) {
-    config["joint"].Fail("a part that is fixed does not move");
+    config["joint"].Fail("a fixed part has no joint");
   }
   part->joint = PartJoint::FromConfig(config["joint"]);
   if (!config.Has("handle")) {
@@ -122,8 +122,9 @@ void CheckJoint(const Config& config, const Part& part,
   for (const Part& other : table.parts()) {
     if (other.is_fixed) fixed += (fixed.empty() ? "" : ", ") + other.name;
   }
-  config["on"].Fail("'" + part.joint->host + "' is no fixed part; fixed " +
-                    (fixed.empty() ? "is none" : "are: " + fixed));
+  config["on"].Fail("'" + part.joint->host +
+                    "' is not a fixed part; fixed parts" +
+                    (fixed.empty() ? ": none" : ": " + fixed));
 }
 
 /// Names across parts: sites are unique, contact classes and the types that

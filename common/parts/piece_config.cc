@@ -36,7 +36,7 @@ struct Range {
 
 Range Interval(const Config& config, const std::string& key, double unit) {
   const std::vector<double> z = config.Numbers(key, 2);
-  if (!(z[0] < z[1])) config[key].Fail("should rise");
+  if (!(z[0] < z[1])) config[key].Fail("should be ascending");
   return {unit * z[0], unit * z[1]};
 }
 
@@ -227,7 +227,7 @@ std::vector<Piece> PiecesFromConfig(const Config& config) {
   const auto contact_class = config.GetOr<std::string>("contact", "");
   const bool is_shape = config.GetOr("shape", true);
   if (contact_class.empty() && !is_shape) {
-    config.Fail("neither a shape nor of a contact class");
+    config.Fail("has neither a shape nor a contact class");
   }
   for (Piece& piece : pieces) {
     piece.contact_class = contact_class;

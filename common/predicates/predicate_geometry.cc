@@ -104,12 +104,12 @@ class Reader {
   }
   void CheckParts(size_t argument) const {
     for (const int object : ObjectsOf(argument)) {
-      if (!parts_.Find(Name(object))) Fail(Name(object) + " is no part");
+      if (!parts_.Find(Name(object))) Fail(Name(object) + " is not a part");
     }
   }
   void CheckSites(size_t argument) const {
     for (const int object : ObjectsOf(argument)) {
-      if (!parts_.FindSite(Name(object))) Fail(Name(object) + " is no site");
+      if (!parts_.FindSite(Name(object))) Fail(Name(object) + " is not a site");
     }
   }
   const std::vector<int>& ObjectsOf(size_t argument) const {

@@ -35,7 +35,7 @@ void Extend(std::vector<Variable>& variables,
   for (const Variable& variable : added) {
     for (const Variable& known : variables) {
       if (known.name == variable.name) {
-        config.Fail("the variable '" + variable.name + "' is there already");
+        config.Fail("the variable '" + variable.name + "' already exists");
       }
     }
     variables.push_back(variable);
@@ -49,16 +49,16 @@ std::vector<Literal> LoadChanges(const std::vector<Config>& items,
   std::vector<Literal> changes;
   for (const Config& item : items) {
     const Literal literal = ParseLiteral(item, vocabulary, variables);
-    if (literal.is_static) item.Fail("an action cannot change what is static");
+    if (literal.is_static) item.Fail("an action cannot change a static fact");
     for (const Term& term : literal.terms) {
       if (term.kind == Term::Kind::kAny) {
-        item.Fail("an effect names its objects; `_` will not do");
+        item.Fail("an effect must name its objects; `_` is not allowed");
       }
     }
     Literal opposite = literal;
     opposite.is_negated = !literal.is_negated;
     if (std::count(changes.begin(), changes.end(), opposite) > 0) {
-      item.Fail("the same outcome says the opposite");
+      item.Fail("contradicts another effect of the same outcome");
     }
     changes.push_back(literal);
   }
@@ -125,7 +125,7 @@ std::vector<Agent> LoadAgents(const Config& action,
     agents.push_back(agent);
   }
   if (agents.empty()) {
-    action["agents"].Fail("nobody can do it; name person, robot, or both");
+    action["agents"].Fail("names no agent; name person, robot, or both");
   }
   return agents;
 }
@@ -179,7 +179,7 @@ std::vector<Addition> LoadAdditions(const Config& action,
         LoadChanges(item["effects"].Items(), vocabulary, arguments);
     additions.push_back(std::move(addition));
   }
-  if (additions.empty()) action["robot"].Fail("allows the robot nothing");
+  if (additions.empty()) action["robot"].Fail("has no rule for the robot");
   return additions;
 }
 
@@ -193,7 +193,7 @@ NdrRule WithAddition(NdrRule rule, const Addition& addition,
         if (effect.each.empty() &&
             std::any_of(effect.then.begin(), effect.then.end(),
                         [&](const auto& l) { return Contradict(l, added); })) {
-          config.Fail("an effect says the opposite of one of the rules'");
+          config.Fail("an effect contradicts one of the rules'");
         }
       }
     }
@@ -212,7 +212,7 @@ NdrRule WithAddition(NdrRule rule, const Addition& addition,
 void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
                    Action& action) {
   if (!action.MayBeDoneBy(Agent::kRobot)) {
-    config["robot"].Fail("the robot is none of the action's agents");
+    config["robot"].Fail("the robot is not one of the action's agents");
   }
   const std::vector<Addition> additions =
       LoadAdditions(config, vocabulary, action.arguments);
@@ -262,7 +262,7 @@ Action LoadAction(const std::string& name, const Config& config,
     action.skill =
         SkillBinding::FromConfig(config["skill"], vocabulary, action.arguments);
     if (!action.MayBeDoneBy(Agent::kRobot)) {
-      config["skill"].Fail("the robot is none of the action's agents");
+      config["skill"].Fail("the robot is not one of the action's agents");
     }
   }
   return action;
@@ -289,9 +289,9 @@ Domain Domain::FromConfig(const Config& config, const PartTable& parts) {
       RequestWords::FromConfig(config, domain.vocabulary_, domain.actions_);
   for (const auto& [name, node] : config["goals"].Entries()) {
     Goal goal{name, ParseLiterals(node, domain.vocabulary_, {})};
-    if (goal.literals.empty()) node.Fail("wants nothing");
+    if (goal.literals.empty()) node.Fail("has no literals");
     for (const Literal& literal : goal.literals) {
-      if (literal.is_static) node.Fail("a static fact is no goal");
+      if (literal.is_static) node.Fail("a static fact cannot be a goal");
     }
     domain.goals_.push_back(std::move(goal));
   }

@@ -194,9 +194,11 @@ std::vector<Literal> ParseLiterals(const Config& config,
   for (const Config& item : config.Items()) {
     const Literal literal = ParseLiteral(item, vocabulary, variables);
     for (const Literal& other : literals) {
-      if (literal == other) item.Fail("stands in the list twice");
+      if (literal == other) item.Fail("is in the list twice");
       if (Contradict(literal, other)) {
-        item.Fail("the same list says the opposite: they never hold together");
+        item.Fail(
+            "contradicts another literal of the list: they never hold "
+            "together");
       }
     }
     literals.push_back(literal);

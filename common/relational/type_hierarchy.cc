@@ -10,7 +10,7 @@ TypeHierarchy TypeHierarchy::FromConfig(const Config& config) {
   TypeHierarchy types;
   const auto entries = config.Entries();
   for (const auto& [name, node] : entries) {
-    if (types.Find(name)) node.Fail("is the root of all types already");
+    if (types.Find(name)) node.Fail("is already the root of all types");
     types.names_.push_back(name);
   }
   for (const auto& [name, node] : entries) {
@@ -25,7 +25,7 @@ TypeHierarchy TypeHierarchy::FromConfig(const Config& config) {
     std::set<int> above;
     for (int t = *types.Find(name); t != kObject; t = types.parents_[t]) {
       if (!above.insert(t).second) {
-        node.Fail("the type '" + name + "' is above itself");
+        node.Fail("the type '" + name + "' is its own ancestor");
       }
     }
   }

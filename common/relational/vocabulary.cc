@@ -108,7 +108,7 @@ std::set<std::vector<int>> Vocabulary::ListedFacts(
       const std::optional<int> object = FindObject(name);
       if (!object) row.Fail("there is no object '" + name + "'");
       if (fact.size() < types.size() && !IsOf(*object, types[fact.size()])) {
-        row.Fail(fmt::format("'{}' is no {}", name,
+        row.Fail(fmt::format("'{}' is not a {}", name,
                              types_.name(types[fact.size()])));
       }
       fact.push_back(*object);
@@ -150,7 +150,7 @@ void Vocabulary::AddPredicates(const Config& domain) {
   // Sorted before they are made: to assign a Config changes its YAML tree.
   std::map<std::string, Config> entries;
   for (const auto& [name, node] : domain["predicates"].Entries()) {
-    if (!entries.emplace(name, node).second) node.Fail("is there twice");
+    if (!entries.emplace(name, node).second) node.Fail("is listed twice");
   }
   for (const auto& [name, node] : entries) {
     CheckIsNew(name, node);
@@ -163,7 +163,7 @@ void Vocabulary::AddPredicates(const Config& domain) {
       num *= static_cast<int64_t>(ObjectsOf(type).size());
       if (num_atoms_ + num > kMaxAtoms) {
         domain["predicates"].Fail(
-            fmt::format("'{}' makes more than {} ground predicates; use "
+            fmt::format("'{}' has more than {} ground predicates; use "
                         "narrower argument types",
                         predicate.name, kMaxAtoms));
       }
@@ -182,10 +182,11 @@ Predicate Vocabulary::LoadPredicate(const std::string& name,
     reported.Fail("'" + kind + "' is neither held nor reachable");
   }
   if (predicate.argument_types.size() != 2) {
-    config["arguments"].Fail("what arms report has two arguments");
+    config["arguments"].Fail("a predicate reported by arms has two arguments");
   }
   if (config.Has("geometry")) {
-    reported.Fail("what arms report is not sensed: no geometry");
+    reported.Fail(
+        "a predicate reported by arms is not sensed and has no geometry");
   }
   predicate.report =
       kind == "held" ? Predicate::Report::kHeld : Predicate::Report::kReachable;

@@ -65,7 +65,7 @@ RenderScene::RenderScene(std::vector<RenderBody> bodies)
   Check(bodies_);
   tracer_->device.reset(rtcNewDevice(kDeviceConfig));
   if (!tracer_->device) {
-    throw std::runtime_error(fmt::format("Embree gives no device: error {}",
+    throw std::runtime_error(fmt::format("Embree returned no device: error {}",
                                          rtcGetDeviceError(nullptr)));
   }
   for (const RenderBody& body : bodies_) {

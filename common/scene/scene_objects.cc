@@ -29,7 +29,7 @@ SceneObjects::SceneObjects(const PartTable& parts,
   const auto duplicate = std::adjacent_find(names_.begin(), names_.end());
   if (duplicate != names_.end()) {
     throw std::invalid_argument(
-        fmt::format("'{}' names two things in the scene", *duplicate));
+        fmt::format("two objects in the scene are named '{}'", *duplicate));
   }
 }
 

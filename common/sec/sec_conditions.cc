@@ -32,7 +32,7 @@ class Reader {
       if (arguments_[i].name == name) return i;
     }
     if (name != SceneObjects::kTable && !parts_.Find(name)) {
-      config.Fail("'" + name + "' is no argument, part or table");
+      config.Fail("'" + name + "' is not an argument, part or table");
     }
     return name;
   }
@@ -90,17 +90,17 @@ SecConditions SecConditions::FromConfig(const Config& config,
   const std::string& name = arguments[conditions.moved].name;
   std::set<size_t> mentioned = ArgumentsIn(conditions.place);
   if (!mentioned.contains(conditions.moved)) {
-    config["place"].Fail("says nothing of " + name + ", which is moved");
+    config["place"].Fail("does not mention " + name + ", which is moved");
   }
   if (!ArgumentsIn(conditions.pick).contains(conditions.moved)) {
-    config["pick"].Fail("says nothing of " + name + ", which is moved");
+    config["pick"].Fail("does not mention " + name + ", which is moved");
   }
   mentioned.merge(ArgumentsIn(conditions.pick));
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (mentioned.contains(i)) continue;
-    config.Fail(
-        fmt::format("neither pick nor place speaks of {}: any object would do",
-                    arguments[i].name));
+    config.Fail(fmt::format(
+        "neither pick nor place mentions {}: any object would match",
+        arguments[i].name));
   }
   return conditions;
 }

@@ -90,7 +90,7 @@ void CheckActions(const Config& config, const Domain& domain,
     for (const Agent agent : action.agents) {
       if (possible.contains({static_cast<int>(i), agent})) continue;
       config["actions"][action.name].Fail(fmt::format(
-          "there are no objects that the {} could do it with", NameOf(agent)));
+          "there are no objects with which the {} could do it", NameOf(agent)));
     }
   }
 }
@@ -107,7 +107,7 @@ void CheckReports(const Config& config, const Domain& domain,
       const std::string& name = vocabulary.objects()[arm].name;
       if (layout.FindArm(name) != nullptr) continue;
       config["predicates"][predicate.name]["arguments"].Fail(
-          fmt::format("'{}' is no arm of cell.yaml", name));
+          fmt::format("'{}' is not an arm of cell.yaml", name));
     }
   }
 }

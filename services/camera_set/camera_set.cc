@@ -39,8 +39,9 @@ void CameraSet::PublishTooLong() {
   alert.level = alert_t::WARNING;
   alert.cause = alert_t::BAD_INPUT;
   alert.text = fmt::format(
-      "camera {}: its frames are longer than {} bytes with the worst of "
-      "colours; they are not sent. In camera_set.yaml max_frame_kb is the "
+      "camera {}: its frames are longer than {} bytes even at the lowest "
+      "colour quality; they are not sent. In camera_set.yaml max_frame_kb is "
+      "the "
       "limit (beyond it a live cell needs a larger net.core.rmem_max: cell "
       "doctor), and a smaller rendered.size or a coarser "
       "rendered.depth_unit_mm makes them shorter",

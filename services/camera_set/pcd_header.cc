@@ -47,11 +47,11 @@ class Entries {
       const std::string key = words[0];
       words.erase(words.begin());
       if (!words_.emplace(key, words).second) {
-        Fail(path, fmt::format("{} stands in its header twice", key));
+        Fail(path, fmt::format("{} is in its header twice", key));
       }
       if (key == "DATA") return;
     }
-    Fail(path, "is no PCD file: no line DATA ends its header");
+    Fail(path, "is not a PCD file: no DATA line ends its header");
   }
 
   int64_t num_lines() const { return num_lines_; }
@@ -104,9 +104,10 @@ std::vector<Field> FieldsOf(const std::filesystem::path& path,
                               : IsOneOf(types[i], {"I", "U"}) &&
                                     IsOneOf(sizes[i], {"1", "2", "4", "8"});
     if (!is_known) {
-      Fail(path, fmt::format("{}: TYPE {} of SIZE {} is none of F 4 8, I and U "
-                             "1 2 4 8",
-                             names[i], types[i], sizes[i]));
+      Fail(path,
+           fmt::format("{}: TYPE {} of SIZE {} is not one of F 4 8, I and U "
+                       "1 2 4 8",
+                       names[i], types[i], sizes[i]));
     }
     fields.push_back({names[i], sizes[i][0] - '0', types[i][0],
                       entries.Number("COUNT", counts[i])});
@@ -156,7 +157,7 @@ void ReadSize(const std::filesystem::path& path, const Entries& entries,
   if (header.height <= 1 || !IsPictureSize(header.width, header.height) ||
       num_points != header.num_points()) {
     Fail(path,
-         fmt::format("is no organised cloud of at most {} points: "
+         fmt::format("is not an organised cloud of at most {} points: "
                      "{} x {}, {} in all",
                      kMaxPixels, header.width, header.height, num_points));
   }
@@ -168,7 +169,7 @@ Data DataOf(const std::filesystem::path& path, const Words& words) {
   if (words.size() == 1 && words[0] == "binary_compressed") {
     return Data::kCompressed;
   }
-  Fail(path, fmt::format("DATA '{}' is none of ascii, binary, "
+  Fail(path, fmt::format("DATA '{}' is not one of ascii, binary, "
                          "binary_compressed",
                          words.empty() ? "" : words[0]));
 }
@@ -178,15 +179,15 @@ void CheckEnd(const std::filesystem::path& path, std::istream& file,
               int64_t begin, int64_t num_there, int64_t num_claimed) {
   if (num_there < num_claimed) {
     Fail(path, fmt::format("is cut off: its header claims {} bytes of points, "
-                           "{} are there",
+                           "{} are present",
                            num_claimed, num_there));
   }
   file.clear();
   file.seekg(begin + num_claimed);
   for (char byte = 0; file.get(byte);) {
     if (byte == 0) continue;
-    Fail(path, fmt::format("has {} bytes behind its points",
-                           num_there - num_claimed));
+    Fail(path,
+         fmt::format("has {} bytes after its points", num_there - num_claimed));
   }
 }
 
@@ -200,7 +201,7 @@ void CheckBinary(const std::filesystem::path& path, std::istream& file,
     file.read(reinterpret_cast<char*>(sizes.data()), sizeof sizes);
     if (!file) Fail(path, "is cut off where its points begin");
     if (sizes[1] != num_points) {
-      Fail(path, fmt::format("claims {} bytes of points; its header makes {}",
+      Fail(path, fmt::format("claims {} bytes of points; its header implies {}",
                              sizes[1], num_points));
     }
     begin += static_cast<int64_t>(sizeof sizes);
@@ -242,7 +243,7 @@ void CheckLine(const std::filesystem::path& path, int64_t number,
     }
   }
   if (i != words.size()) {
-    Fail(path, fmt::format("line {}: has {} values, its header makes {}",
+    Fail(path, fmt::format("line {}: has {} values, its header implies {}",
                            number, words.size(), i));
   }
 }
@@ -277,7 +278,7 @@ PcdHeader CheckPcd(const std::filesystem::path& path) {
   if (!file) Fail(path, "cannot be opened");
   std::error_code error;
   const auto num_bytes = std::filesystem::file_size(path, error);
-  if (error) Fail(path, "is no file");
+  if (error) Fail(path, "is not a file");
   const Entries entries(path, file);
   PcdHeader header;
   header.data_begin = file.tellg();

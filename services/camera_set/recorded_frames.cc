@@ -67,7 +67,7 @@ bool IsWithoutDepth(const DepthImage& depth) {
 
 RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
     : folder_(std::move(folder)), is_loop_(is_loop) {
-  if (!fs::is_directory(folder_)) Fail(folder_, "is no folder of frames");
+  if (!fs::is_directory(folder_)) Fail(folder_, "is not a folder of frames");
   const Config config = Config::Load((folder_ / "camera.yaml").string());
   view_.fx = config.Number("fx", 1, 1e5);
   view_.fy = config.Number("fy", 1, 1e5);
@@ -91,13 +91,15 @@ RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
     if (fs::exists(cloud)) {
       if (fs::exists(folder_ / (name + kColour)) ||
           fs::exists(folder_ / (name + kDepth))) {
-        Fail(cloud, "the same frame is there as a picture, too; one must go");
+        Fail(cloud,
+             "the same frame also exists as a picture; remove one of them");
       }
       continue;
     }
     for (const char* half : {kColour, kDepth}) {
       const fs::path path = folder_ / (name + half);
-      if (!fs::exists(path)) Fail(path, "is missing; its other half is there");
+      if (!fs::exists(path))
+        Fail(path, "is missing; the other picture of its frame exists");
     }
   }
 }
@@ -122,7 +124,7 @@ std::optional<RgbdFrame> RecordedFrames::Next() {
   }
   if (frame.depth.width != view_.width || frame.depth.height != view_.height) {
     Fail(folder_ / name,
-         fmt::format("is of {}, the frames before of {}",
+         fmt::format("has {}, the frames before it {}",
                      SizeText(frame.depth.width, frame.depth.height),
                      SizeText(view_.width, view_.height)));
   }
@@ -136,8 +138,8 @@ RgbdFrame RecordedFrames::LoadCloud(const fs::path& path) {
   const PcdImage::Lost& lost = image.lost;
   if (lost.num_beyond + lost.num_behind > 0) {
     remark_ = fmt::format(
-        "{}: of {} points {} lie beyond {} m and {} not "
-        "before the camera; they are no depth",
+        "{}: of {} points {} lie beyond {} m and {} not in front of the "
+        "camera; they are ignored",
         path.string(), image.depth.counts.size(), lost.num_beyond, lost.range,
         lost.num_behind);
   }
@@ -156,7 +158,7 @@ RgbdFrame RecordedFrames::Load(const std::string& name) {
   frame.depth = ReadDepthPng(path);
   if (frame.depth.width != frame.colour.width ||
       frame.depth.height != frame.colour.height) {
-    Fail(path, fmt::format("is of {}, its colour of {}",
+    Fail(path, fmt::format("has {}, its colour {}",
                            SizeText(frame.depth.width, frame.depth.height),
                            SizeText(frame.colour.width, frame.colour.height)));
   }

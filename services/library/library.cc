@@ -116,8 +116,9 @@ std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
   if (deployment.is_live) store->BeginRun();
   RecordCheck check = RecordCheck::FromTask(deployment);
   if (const auto why = check.WhyOfAnotherTask(*store)) {
-    throw StoreError("the library's " + *why +
-                     "; it was kept for another task: name another --database");
+    throw StoreError(
+        "the library's " + *why +
+        "; it was stored for another task: name another --database");
   }
   return std::make_unique<Library>(bus, std::move(store), std::move(check));
 }

@@ -17,7 +17,7 @@ std::vector<int64_t> MemoryActionStore::Store(
     if (known && known->version >= record.version) {
       rows_.resize(num_before);
       throw std::invalid_argument("an action '" + record.name +
-                                  "' is there already");
+                                  "' already exists");
     }
     ids.push_back(rows_.empty() ? 1 : rows_.back().record.id + 1);
     rows_.push_back({record, tick});

@@ -65,9 +65,9 @@ std::optional<Refusal> RecordCheck::WhyNot(const ActionRecord& record,
   try {
     const size_t size = JsonOf(record).size();
     if (size > kMaxBytes) {
-      return Refusal{
-          Refusal::Kind::kTooLarge,
-          fmt::format("{} bytes are too many; {} are kept", size, kMaxBytes)};
+      return Refusal{Refusal::Kind::kTooLarge,
+                     fmt::format("{} bytes are too many; at most {} are stored",
+                                 size, kMaxBytes)};
     }
     if (auto refusal = NameRefusal(record, store)) return refusal;
     RequireSense(record, store);
@@ -82,27 +82,25 @@ std::optional<Refusal> RecordCheck::WhyNot(const ActionRecord& record,
 std::optional<Refusal> RecordCheck::NameRefusal(
     const ActionRecord& record, const ActionStore& store) const {
   if (record.id != 0) {
-    return Invalid(
-        fmt::format("it has the id {}; the library gives ids, 0 is "
-                    "sent",
-                    record.id));
+    return Invalid(fmt::format(
+        "it has the id {}; the library assigns ids; send 0", record.id));
   }
   if (record.name.empty()) return Invalid("its name is empty");
   if (record.name.size() > kMaxName || !IsName(record.name)) {
     return Invalid(
-        fmt::format("its name is not a letter, then letters, digits "
-                    "and _, {} in all",
+        fmt::format("its name should be a letter, then letters, digits and _, "
+                    "at most {} in all",
                     kMaxName));
   }
   if (record.version < 1 || record.version > ActionRecord::kMaxVersion) {
-    return Invalid(fmt::format("it has the version {}; 1 to {} are kept",
+    return Invalid(fmt::format("it has the version {}; 1 to {} are allowed",
                                record.version, ActionRecord::kMaxVersion));
   }
   const auto known = store.FindNamed(record.name);
   if (known && record.version <= known->version) {
     return Refusal{
         Refusal::Kind::kDuplicate,
-        fmt::format("'{}' is there already, with id {} and version {}; {} "
+        fmt::format("'{}' already exists, with id {} and version {}; {} "
                     "would replace it",
                     known->name, known->id, known->version, known->version + 1),
         known->id};
@@ -132,8 +130,9 @@ void RecordCheck::RequireSense(const ActionRecord& record,
   ReadActionModel(alone, domain_, parts_);
   const auto known = store.FindNamed(record.name);
   if (known && TypesOf(*known) != TypesOf(record)) {
-    fail("arguments", fmt::format("a new version keeps those of the last: {}",
-                                  fmt::join(TypesOf(*known), ", ")));
+    fail("arguments",
+         fmt::format("a new version must keep those of the last: {}",
+                     fmt::join(TypesOf(*known), ", ")));
   }
   if (!record.undoes.empty()) {
     const auto undone = store.FindNamed(record.undoes);
@@ -143,7 +142,7 @@ void RecordCheck::RequireSense(const ActionRecord& record,
     }
   }
   if (record.skill.empty() != record.skill_settings.empty()) {
-    fail("skill_settings", "goes with a skill, and a skill with it");
+    fail("skill_settings", "is required with a skill, and only with a skill");
   }
   if (!record.skill.empty() &&
       !skill_settings_.contains(record.skill_settings)) {

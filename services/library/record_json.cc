@@ -64,7 +64,8 @@ void RequireObject(const json& value, const std::string& where,
   if (!value.is_object()) Fail(where, "should be an object");
   for (const auto& item : value.items()) {
     if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
-      Fail(where + "." + item.key(), "not known; remove it or mend its name");
+      Fail(where + "." + item.key(),
+           "not known; remove it or correct its name");
     }
   }
 }
@@ -148,7 +149,7 @@ std::vector<ActionRecord> ContentFromText(const std::string& text,
   const int64_t version = NumberAt(content, "version", file);
   if (version < 1 || version > kVersion) {
     Fail(file + ".version",
-         fmt::format("is not 1 to {}, those known here", kVersion));
+         fmt::format("is not a known version, 1 to {}", kVersion));
   }
   std::vector<ActionRecord> records;
   for (json item : ListAt(content, "actions", file)) {

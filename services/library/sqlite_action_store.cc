@@ -14,12 +14,12 @@ namespace cell::library {
 namespace {
 
 constexpr char kDamaged[] =
-    "is damaged; move it away and import what a run folder has kept: cell "
+    "is damaged; move it away and import the copy of a run folder: cell "
     "library import RUN/library.json --database FILE";
 
 constexpr char kLocked[] =
-    "cannot be opened to be written; are file and folder there, and may this "
-    "user write to both?";
+    "cannot be opened for writing; do file and folder exist, and may this user "
+    "write to both?";
 
 std::string WhatToDo(const SQLite::Exception& e) {
   switch (e.getErrorCode()) {
@@ -28,7 +28,7 @@ std::string WhatToDo(const SQLite::Exception& e) {
     case SQLITE_CORRUPT:
       return kDamaged;
     case SQLITE_FULL:
-      return "the disk is full; make room";
+      return "the disk is full; free some space";
     case SQLITE_IOERR:
       return fmt::format("cannot be read or written ({}); check the disk",
                          e.what());
@@ -154,7 +154,7 @@ std::vector<int64_t> SqliteActionStore::Store(
       const auto known = FindNamed(record.name);
       if (known && known->version >= record.version) {
         throw std::invalid_argument("an action '" + record.name +
-                                    "' is there already");
+                                    "' already exists");
       }
       record.id = ++id;
       insert.bind(1, id);

@@ -102,7 +102,7 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
     }
     JointPath path = PlanPath(from.q, {to}, vias, why_blocked, params);
     if (path) return path;
-    if (reason.empty()) reason = "there is no free way: " + path.reason();
+    if (reason.empty()) reason = "there is no free path: " + path.reason();
   }
   return Reason{reason};
 }

@@ -47,10 +47,10 @@ Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
 Decisions DecisionMaker::Begin(const Episode& episode, Instant now) {
   const std::optional<Agent> agent = FindAgent(episode.agent);
   if (!agent) {
-    return {.alerts = {
-                BadInput("The agent of an episode is person or robot, not '" +
-                             episode.agent + "'",
-                         now)}};
+    return {.alerts = {BadInput(
+                "The agent of an episode must be person or robot, not '" +
+                    episode.agent + "'",
+                now)}};
   }
   const Goal* goal = FindGoal(episode.goal);
   if (goal == nullptr) return {.alerts = {BadInput(NoGoal(episode.goal), now)}};
@@ -75,7 +75,8 @@ DecisionMaker::Answer DecisionMaker::SetGoal(const std::string& name) {
   if (goal == nullptr) return Reason{NoGoal(name)};
   if (!state_->HasGoal()) {
     return Reason{
-        "no episode runs that could have another goal (cell episode start)"};
+        "no episode is running whose goal could be changed (cell episode "
+        "start)"};
   }
   return state_->SetGoal(*goal);
 }

@@ -93,11 +93,10 @@ std::optional<Alert> Monitor::Judge(const DoneAction& action,
   const std::string next =
       plan.steps.empty() ? ""
                          : "; best next: " + rules_->Show(plan.steps[0].action);
-  return Alert{
-      Alert::Cause::kLongerPlan, action.utime,
-      fmt::format("{} has made the way to the goal longer: {:.1f} instead of "
-                  "{:.1f} expected actions{}",
-                  action.text, now, *without, next)};
+  return Alert{Alert::Cause::kLongerPlan, action.utime,
+               fmt::format("{} has made the way to the goal longer: {:.1f} "
+                           "instead of {:.1f} expected actions{}",
+                           action.text, now, *without, next)};
 }
 
 /// The state before the pick-up, but with what other actions have done since:

@@ -163,7 +163,7 @@ std::string PlanSearch::WhyUndecided(const State& state) const {
   if (unknown.size() > kMaxNamedUnknowns) {
     names += fmt::format(" and {} more", unknown.size() - kMaxNamedUnknowns);
   }
-  return "it is not known whether there is a way to the goal, since these are "
+  return "it is not known whether a plan leads to the goal, because these are "
          "unknown: " +
          names;
 }

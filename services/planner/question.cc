@@ -17,7 +17,7 @@ bool IsForReach(const RequiredChange& change, const Vocabulary& vocabulary) {
          change.truth == Truth::kTrue;
 }
 
-/// "of both arms", or of which one.
+/// "both arms", or the one arm.
 std::string OutOfWhoseReach(const GroundAtom& atom, const State& state,
                             const Vocabulary& vocabulary) {
   const auto& types = vocabulary.predicates()[atom.predicate].argument_types;
@@ -49,14 +49,14 @@ std::string WordsFor(const GroundAction& action, const RuleSet& rules,
   return words.value_or("do " + rules.Show(action));
 }
 
-/// "take out of hole_1 what is in it"; without words of the domain "see to it
+/// "remove what is in hole_1"; without words of the domain "see to it
 /// that Free(hole_1)".
 std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                      const RequestWords& requests) {
   const bool is_true = change.truth == Truth::kTrue;
   const auto words =
       requests.ToMake(vocabulary.Atom(change.atom), is_true, vocabulary);
-  return words.value_or(fmt::format("see to it that {}{}",
+  return words.value_or(fmt::format("make sure that {}{}",
                                     is_true ? "" : "not ",
                                     vocabulary.AtomName(change.atom)));
 }
@@ -83,11 +83,10 @@ ExecutionStatus AskForChanges(const Plan& no_plan, const State& state,
     sentences.push_back("please " + WordsFor(change, vocabulary, requests));
     formulas.push_back(change.why);
   }
-  question.text =
-      sentences.empty()
-          ? "no action leads to the goal from here: please take apart what is "
-            "in the way of it"
-          : fmt::format("{}", fmt::join(sentences, "; "));
+  question.text = sentences.empty()
+                      ? "no action leads to the goal from here: please take "
+                        "apart what blocks it"
+                      : fmt::format("{}", fmt::join(sentences, "; "));
   question.formula = sentences.empty()
                          ? no_plan.reason
                          : fmt::format("{}", fmt::join(formulas, "; "));
@@ -102,13 +101,13 @@ ExecutionStatus AskAfterFailures(const GroundAction& action,
   const std::string whose =
       skill ? "the " + rules.vocabulary().objects()[skill->arm].name + " arm"
             : "the robot";
-  return {.state = ExecutionStatus::State::kStuck,
-          .text = fmt::format(
-              "{} has tried {} times to {}, and failed: {}; please do it "
-              "yourself, or remove what hinders it",
-              whose, failed.count, WordsFor(action, rules, requests),
-              failed.reason),
-          .formula = rules.Show(action)};
+  return {
+      .state = ExecutionStatus::State::kStuck,
+      .text = fmt::format("{} has tried {} times to {}, and failed: {}; please "
+                          "do it yourself, or remove what prevents it",
+                          whose, failed.count,
+                          WordsFor(action, rules, requests), failed.reason),
+      .formula = rules.Show(action)};
 }
 
 }  // namespace
@@ -147,7 +146,7 @@ std::string AskForStep(const GroundAction& action, const RuleSet& rules,
 
 std::string AskForView(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests) {
-  return "it cannot be seen whether one can " +
+  return "the sensors cannot tell whether it is possible to " +
          WordsFor(action, rules, requests) +
          ": please clear the view, or do it yourself";
 }

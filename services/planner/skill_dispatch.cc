@@ -45,8 +45,8 @@ std::vector<EndedSkill> SkillDispatch::EndLostRequests() {
     if (running_.at(arm).request.purpose != Purpose::kGoFree) {
       to_free_.try_emplace(arm, 0);
     }
-    ended.push_back(End(arm, utime, false, true,
-                        "the arm began anew and knows nothing of it"));
+    ended.push_back(
+        End(arm, utime, false, true, "the arm restarted and lost the request"));
   }
   return ended;
 }
@@ -111,10 +111,11 @@ std::string SkillDispatch::ShowRunning(const RuleSet& rules) const {
   for (const auto& [arm, skill] : running_) {
     if (!text.empty()) text += ", ";
     const bool goes_free = skill.request.purpose == Purpose::kGoFree;
-    text += skill.action ? rules.Show(*skill.action)
-                         : rules.vocabulary().objects()[arm].name +
-                               (goes_free ? " arm goes free of what it is at"
-                                          : " arm goes home");
+    text += skill.action
+                ? rules.Show(*skill.action)
+                : rules.vocabulary().objects()[arm].name +
+                      (goes_free ? " arm releases its part and draws back"
+                                 : " arm goes home");
   }
   return text;
 }

@@ -130,12 +130,12 @@ std::string UnexplainedChanges::Tell(const Change& change) const {
   const double seconds = 1e-6 * static_cast<double>(change.utime);
   if (change.is_found) {
     return fmt::format(
-        "Found done at {:.2f} s, by whom was not heard since the planner had "
-        "not yet started: {}",
+        "Found at {:.2f} s, done by an unknown agent before the planner "
+        "started: {}",
         seconds, fmt::join(literals, ", "));
   }
   return fmt::format(
-      "No action was recognised that has made it so, at {:.2f} s: {}", seconds,
+      "No recognised action explains what changed at {:.2f} s: {}", seconds,
       fmt::join(literals, ", "));
 }
 

@@ -35,7 +35,7 @@ void LiveRecorder::OnTick() {
   const auto failure = log_.Append(messages);
   if (failure) {
     if (num_missed_ == 0) {
-      Publish(alert_t::ERROR, "nothing is recorded any more: " + *failure);
+      Publish(alert_t::ERROR, "recording has stopped: " + *failure);
     }
     num_missed_ += num_messages;
     retry_tick_ = bus_.tick() + kRetryTicks;

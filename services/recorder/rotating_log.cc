@@ -58,7 +58,7 @@ std::optional<std::string> RotatingLog::LackOfRoom() const {
     return std::nullopt;
   }
   return fmt::format(
-      "{}: only {} MB are left on the disk, {} are to stay free "
+      "{}: only {} MB are left on the disk, {} must stay free "
       "(recorder.yaml:min_free_mb)",
       run_dir_.string(), space.available >> 20, params_.free_bytes >> 20);
 }

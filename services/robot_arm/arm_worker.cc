@@ -62,11 +62,11 @@ std::optional<std::string> ArmWorker::WhyNot(
   if (auto why = WhyNoSkill(request, arm_.has_force_sensor())) return why;
   const auto& held = arm_.held();
   if (!held && arm_.reading().is_gripping) {
-    return "nobody knows what it holds";
+    return "what it holds is unknown";
   }
   // A site may hold it as well.
   if (held && !arm_.poses().contains(held->part)) {
-    return "nobody knows where " + held->part + " is";
+    return "the pose of " + held->part + " is unknown";
   }
   return FindSkill(request.skill)->WhyNot(request, arm_);
 }

@@ -104,7 +104,7 @@ SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
   time_ += dt;
   const auto q = kinematics_.JointsNear(PoseAt(time_), command->q);
   if (!q) {
-    reason_ = "the straight way leads out of reach";
+    reason_ = "the straight path leads out of reach";
     return State::kFailed;
   }
   command->q = *q;

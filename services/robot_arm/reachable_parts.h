@@ -13,7 +13,7 @@
 
 namespace cell::robot_arm {
 
-/// True if a part has moved between two looks by more than they differ.
+/// True if a part has moved between two snapshots by more than they differ.
 bool HasMoved(const Eigen::Isometry3d& X_WO_before,
               const Eigen::Isometry3d& X_WO_now);
 

@@ -39,7 +39,7 @@ Result<ArmReading> FromMessage(const arm_state_t& message,
       message.grip > arm_state_t::GRIPPING ||
       message.servo < arm_state_t::FOLLOWING ||
       message.servo > arm_state_t::STOPPED) {
-    return Reason{"an opening, a grip or a servo that cannot be"};
+    return Reason{"an impossible opening, grip or servo"};
   }
   ArmReading reading;
   reading.q = *q;
@@ -135,7 +135,7 @@ bool RobotArm::OnState(const arm_state_t& message) {
                           reading.reason());
   }
   reading_ = *std::move(reading);
-  if (!reading_->is_stopped) why_stopped_ = "its device has not said why";
+  if (!reading_->is_stopped) why_stopped_ = "its device gave no reason";
   return true;
 }
 
@@ -203,7 +203,7 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
   if (bus_.now() > message.deadline_utime) {
     PublishResult(
         {request.id, SkillResult::Outcome::kRefused,
-         fmt::format("the request has come {:.3f} s after its "
+         fmt::format("the request arrived {:.3f} s after its "
                      "deadline",
                      1e-6 * (static_cast<double>(bus_.now()) -
                              static_cast<double>(message.deadline_utime)))});

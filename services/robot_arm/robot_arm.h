@@ -69,7 +69,7 @@ class RobotArm final : public Service {
   std::optional<int64_t> start_utime_;  // of its work
   std::optional<ArmReading> reading_;
   std::optional<SensedAt> wrench_;
-  std::string why_stopped_ = "its device has not said why";
+  std::string why_stopped_ = "its device gave no reason";
   std::optional<motion_permit_t> permit_;
   bool was_held_ = false;  // the cell, by the supervisor
   arm_report_t last_report_{};

@@ -215,7 +215,7 @@ Result<PlaceTarget> SkillRun::TargetAtSite() const {
   const Site& site = *arm_.parts().FindSite(request_.Argument("site"));
   const auto host = arm_.poses().find(site.host);
   if (host == arm_.poses().end()) {
-    return Reason{"nobody knows where " + site.host + " is"};
+    return Reason{"the pose of " + site.host + " is unknown"};
   }
   PlaceTarget target = TargetAt(site, host->second);
   const SkillSettings& settings = arm_.settings();

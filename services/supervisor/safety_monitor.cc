@@ -24,7 +24,7 @@ void SafetyMonitor::OnIncarnation(const std::string& service, int32_t life) {
   if (is_first || life <= known->second) return;
   known->second = life;
   Note(AlertLevel::kWarning, Event::Cause::kRestarted,
-       service + " has started again; what it was doing is lost");
+       service + " has restarted and lost the work in progress");
 }
 
 std::vector<Event> SafetyMonitor::Update(int64_t now) {
@@ -35,15 +35,17 @@ std::vector<Event> SafetyMonitor::Update(int64_t now) {
     const std::string& name = row.row.service;
     if (!is_silent) {
       silent_.erase(name);
-      Note(AlertLevel::kInfo, Event::Cause::kSilent, name + " is back");
+      Note(AlertLevel::kInfo, Event::Cause::kSilent,
+           name + " is no longer silent");
       continue;
     }
     const auto seconds = [](int64_t us) {
       return 1e-6 * static_cast<double>(us);
     };
     const std::string text = fmt::format(
-        "{} has been silent for {:.3f} s, of {:.3f} s allowed: {}", name,
-        seconds(now - row.heard), seconds(row.row.silence_us), row.row.meaning);
+        "{} has been silent for {:.3f} s, more than the {:.3f} s allowed: {}",
+        name, seconds(now - row.heard), seconds(row.row.silence_us),
+        row.row.meaning);
     if (row.row.hold != Hold::kNone) silent_[name] = {row.row.hold, text};
     Note(row.row.level, Event::Cause::kSilent, text);
   }
@@ -62,7 +64,8 @@ void SafetyMonitor::HoldByOperator() {
 void SafetyMonitor::StopProtectively(const std::string& arm,
                                      const std::string& why) {
   const std::string reason = fmt::format(
-      "the {} arm has made a protective stop: {}; look, then resume", arm, why);
+      "the {} arm has made a protective stop: {}; check the arm, then resume",
+      arm, why);
   if (!operators_.try_emplace(arm, Cause{Hold::kAtOnce, reason}).second) return;
   Note(AlertLevel::kError, Event::Cause::kHeld, reason);
 }
@@ -71,7 +74,7 @@ void SafetyMonitor::ResumeByOperator() {
   if (operators_.empty()) return;
   operators_.clear();
   Note(AlertLevel::kInfo, Event::Cause::kHeld,
-       "the operator lets the cell go on");
+       "the operator has resumed the cell");
 }
 
 Operation SafetyMonitor::operation() const {

@@ -13,7 +13,7 @@ Hold HoldFromConfig(const Config& config) {
   if (name == "at_once") return Hold::kAtOnce;
   if (name == "at_boundary") return Hold::kAtBoundary;
   if (name == "alert_only") return Hold::kNone;
-  config.Fail("'" + name + "' is none of at_once, at_boundary, alert_only");
+  config.Fail("'" + name + "' is not one of at_once, at_boundary, alert_only");
 }
 
 AlertLevel LevelFromConfig(const Config& config) {
@@ -21,7 +21,7 @@ AlertLevel LevelFromConfig(const Config& config) {
   if (name == "info") return AlertLevel::kInfo;
   if (name == "warning") return AlertLevel::kWarning;
   if (name == "error") return AlertLevel::kError;
-  config.Fail("'" + name + "' is none of info, warning, error");
+  config.Fail("'" + name + "' is not one of info, warning, error");
 }
 
 int64_t SilenceOf(const Config& config) {
@@ -35,7 +35,8 @@ StopPolicy StopPolicy::FromConfig(const Config& config, const Roster& roster,
   StopPolicy table;
   table.operator_hold = HoldFromConfig(config["operator_hold"]);
   if (table.operator_hold == Hold::kNone) {
-    config["operator_hold"].Fail("an operator's hold must hold");
+    config["operator_hold"].Fail(
+        "an operator's hold must stop the arms: at_once or at_boundary");
   }
   const int64_t silence_us = SilenceOf(config);
   for (const auto& [name, node] : config["services"].Entries()) {

@@ -24,7 +24,7 @@ struct HoldRow {
   Hold hold = Hold::kNone;
   int64_t silence_us = 0;  ///< [us] it is thought dead after
   AlertLevel level = AlertLevel::kError;
-  std::string meaning;  ///< "nobody sees the parts"
+  std::string meaning;  ///< "the parts are not tracked"
 };
 
 /// supervisor.yaml:

@@ -183,7 +183,7 @@ void Supervisor::OnTick() {
   for (const std::string& arm : std::exchange(stopped_, {})) {
     const auto why = why_.find(arm);
     Watch().StopProtectively(
-        arm, why == why_.end() ? "its device has not said why" : why->second);
+        arm, why == why_.end() ? "its device gave no reason" : why->second);
   }
   for (const Event& event : Watch().Update(bus_.now())) Publish(event);
   const Operation operation = Watch().operation();

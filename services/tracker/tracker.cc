@@ -45,7 +45,7 @@ std::unique_ptr<Service> MakeTracker(Bus& bus, const Deployment& deployment) {
   const Config config = deployment.ForService("tracker");
   const auto sensing = config.Get<std::string>("sensing");
   if (sensing != "ideal") {
-    config["sensing"].Fail("only 'ideal' is there, not '" + sensing + "'");
+    config["sensing"].Fail("only 'ideal' is supported, not '" + sensing + "'");
   }
   params.period_ticks = config.Integer("period_ticks", 1, 1250);
   params.ideal.hand_spacing = config.Number("hand_spacing_mm", 1, 100) * 1e-3;

@@ -17,8 +17,7 @@ std::optional<std::string> Attendance::WhyInVain(int32_t tick) const {
   const int32_t waited = tick - *hold_tick_;
   if (waited < *patience_) return std::nullopt;
   return fmt::format(
-      "the cell has been held for {:.0f} s, and no operator is "
-      "there to resume it: {}",
+      "the cell has been held for {:.0f} s, and no operator has resumed it: {}",
       1e-6 * static_cast<double>(waited * kTickUs), reason_);
 }
 

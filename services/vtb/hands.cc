@@ -123,7 +123,7 @@ void Hands::Grip(const std::string& hand, const std::string& part) {
   const size_t index = IndexOf(hand);
   const Fixture& fixture = fixtures_[index];
   State& state = states_[index];
-  if (state.part >= 0) throw std::logic_error(hand + " holds a part already");
+  if (state.part >= 0) throw std::logic_error(hand + " already holds a part");
   const size_t p = bodies_.IndexOf(part);
   if (fixture.grips[p] < 0) throw std::invalid_argument(part + " is fixed");
   state.part = static_cast<int>(p);

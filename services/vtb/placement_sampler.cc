@@ -183,7 +183,7 @@ std::vector<PlacementSampler::Placed> PlacementSampler::Scatter(
     if (!accept || accept(scene)) return scene;
   }
   throw std::runtime_error(
-      "the parts do not fit into the parts area so that they can be taken");
+      "the parts do not fit into the parts area with room to grasp each");
 }
 
 std::optional<Isometry3d> PlacementSampler::FreePlace(

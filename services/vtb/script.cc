@@ -106,7 +106,7 @@ Script::Disturbance DisturbanceFromConfig(const Config& config) {
   } else if (how == "place") {
     disturbance.kind = Kind::kPlace;
   } else {
-    disturbs["how"].Fail("'" + how + "' is none of move, return, place");
+    disturbs["how"].Fail("'" + how + "' is not one of move, return, place");
   }
   disturbance.beyond_reach = disturbs.GetOr<bool>("beyond_reach", false);
   disturbance.count = CountOf(disturbs);

@@ -39,7 +39,7 @@ int StepsPerTick(double dt) {
   const double rounded = std::round(steps);
   if (!(rounded >= 1) || std::abs(steps - rounded) > 1e-9) {
     throw std::invalid_argument(
-        fmt::format("{} s is no whole part of a tick of {} s", dt, kTick));
+        fmt::format("{} s does not divide a tick of {} s", dt, kTick));
   }
   return static_cast<int>(rounded);
 }
@@ -170,9 +170,9 @@ CommandAnswer Vtb::EndByCommand() {
                                              episode_.request.demonstration));
   }
   bus_.EndRunIn(kGapTicks);
-  return CommandAnswer::Accept(was_to_begin
-                                   ? "the episode that was to begin does not"
-                                   : "no episode was running");
+  return CommandAnswer::Accept(
+      was_to_begin ? "the episode that was about to begin is cancelled"
+                   : "no episode was running");
 }
 
 CommandAnswer Vtb::StartByCommand(const Request& request) {

@@ -128,10 +128,11 @@ TEST(OperatorAnswers, AGoalIsTakenByTheEpisodeThatRuns) {
   cell.Goal(110, "assembled");  // between the episodes
   cell.Goal(300, "round_pegs");
   cell.Run();
-  cell.ExpectRefused("COMMAND_GOAL", 30, "no goal 'nonsense', but: assembled");
+  cell.ExpectRefused("COMMAND_GOAL", 30,
+                     "no goal 'nonsense'; known: assembled");
   cell.ExpectAccepted("COMMAND_GOAL", 40, "round_pegs");
   cell.ExpectRefused("COMMAND_GOAL", 50, "command_goal_t");
-  cell.ExpectRefused("COMMAND_GOAL", 110, "no episode runs");
+  cell.ExpectRefused("COMMAND_GOAL", 110, "no episode is running");
   cell.ExpectAccepted("COMMAND_GOAL", 300, "round_pegs");
 }
 

@@ -194,24 +194,24 @@ INSTANTIATE_TEST_SUITE_P(
     Mistakes, Mistaken,
     testing::Values(
         Mistake{"NoAgent", kDomain, "0,/agents: .person./s//agents: []/",
-                "agents: nobody can do it"},
+                "agents: names no agent"},
         Mistake{"UndoesItself", kDomain,
                 "s/undoes: ScrewHead/undoes: RemoveHead/",
                 "RemoveHead.undoes: an action cannot undo itself"},
         Mistake{"Contradiction", kDomain,
                 "s/context: .Horizontal(X), Clear(X)/context: [Horizontal(X), "
                 "not Horizontal(X), Clear(X)/",
-                "says the opposite"},
+                "contradicts another literal"},
         Mistake{"ContradictionWithAny", kDomain,
                 "s/context: .\"Held(X, A)\"./context: [\"Held(X, A)\", \"not "
                 "Held(X, _)\"]/",
-                "says the opposite"},
+                "contradicts another literal"},
         Mistake{"GoalOfNoDomain", kScripts, "s/^goal: assembled/goal: done/",
                 "demonstrators.yaml:goal: domain.yaml has no goal"},
         Mistake{"SuccessOfNoGoal", kSuccess, "s/^goal: assembled/goal: done/",
-                "success.yaml:goal: domain.yaml has no goal 'done', but: "},
+                "success.yaml:goal: domain.yaml has no goal 'done'; it has: "},
         Mistake{"SuccessLeavesOut", kSuccess, "/^  HeadScrewed:/d",
-                "success.yaml:seated: says nothing of HeadScrewed(head)"},
+                "success.yaml:seated: does not mention HeadScrewed(head)"},
         Mistake{
             "HingeWithoutLimits", kParts,
             "/^  head:$/i\\  lid: {type: head, symmetry_order: 1, density: "
@@ -222,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
             "parts.yaml:parts.lid.joint: a hinge needs limits_deg: "
             "[lower, upper]"},
         Mistake{"EmptyGoal", kDomain, "s/^  round_pegs:/  nothing: []\\n&/",
-                "goals.nothing: wants nothing"},
+                "goals.nothing: has no literals"},
         Mistake{"OtherArm", "tasks/cranfield/cell.yaml",
                 "s/^  left:$/  links:/", "domain.yaml:"},
         Mistake{"NoSuchGrip", kParts, "s/three_finger_ball/three_finger_bowl/",
@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "parts.yaml:parts.base.sites[0].opening: cannot be read as a "
                 "number"},
         Mistake{"KeyTwice", kParts, "s/^  head:$/  shaft: {}\\n&/",
-                "parts.yaml:parts.shaft: the key is there already"},
+                "parts.yaml:parts.shaft: the key already exists"},
         Mistake{"Octal", "config/planner.yaml",
                 "s/max_attempts: 3/max_attempts: 010/",
                 "planner.yaml:execution.max_attempts: cannot be read as a "

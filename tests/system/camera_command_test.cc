@@ -143,7 +143,7 @@ TEST_F(CameraCommand, RecordedFoldersAreADeviceToo) {
   fs::remove_all(dir_ / "deploy" / "tasks" / "cranfield" / "recorded" / "2");
   const ShellResult lost = Cell("sim --cameras" + kShort + "--out b");
   EXPECT_EQ(lost.code, 1);
-  EXPECT_THAT(lost.output, HasSubstr("recorded/2: is no folder of frames"));
+  EXPECT_THAT(lost.output, HasSubstr("recorded/2: is not a folder of frames"));
 }
 
 TEST_F(CameraCommand, ARosterWithoutCamerasSaysSo) {

@@ -177,7 +177,7 @@ TEST_F(CellCommand, ThePersonsAssemblyIsRecognisedAndTheArmsMakeAnother) {
   EXPECT_THAT(run.output, HasSubstr("the goal is reached"));
   EXPECT_THAT(run.output,
               HasSubstr("assembled 8 of 8 placements, screwed 1 of 1"));
-  const std::regex least(R"(smallest in it: \w+, (\d+) pix)");
+  const std::regex least(R"(least visible: \w+, (\d+) pix)");
   std::string rest = run.output;
   for (const char* picture : {"episode-1.png", "episode-2.png"}) {
     EXPECT_GT(fs::file_size(dir_ / "a" / picture), 10'000u);

@@ -71,16 +71,18 @@ TEST_F(DemoNetwork, AmongSeveralOneChooses) {
   ASSERT_TRUE(AwaitEpisode("two"));
   const ShellResult unclear = Cell("hold");
   EXPECT_EQ(unclear.code, 1);
-  EXPECT_THAT(unclear.output, AllOf(HasSubstr("several demos of yours run"),
-                                    HasSubstr((dir_ / "one").string()),
-                                    HasSubstr((dir_ / "two").string())));
+  EXPECT_THAT(unclear.output,
+              AllOf(HasSubstr("several of your demos are running"),
+                    HasSubstr((dir_ / "one").string()),
+                    HasSubstr((dir_ / "two").string())));
   const size_t at = unclear.output.find("--demo ");
   const std::string choice =
       unclear.output.substr(at, unclear.output.find(" (", at) - at);
   EXPECT_EQ(Cell("hold " + choice).code, 0);
   const ShellResult none = Cell("hold --demo 1");
   EXPECT_EQ(none.code, 1);
-  EXPECT_THAT(none.output, HasSubstr("--demo 1: no `cell demo` of yours"));
+  EXPECT_THAT(none.output,
+              HasSubstr("--demo 1: none of your `cell demo` runs"));
 }
 
 TEST_F(DemoNetwork, AnEndedDemoIsNotFound) {
@@ -88,7 +90,7 @@ TEST_F(DemoNetwork, AnEndedDemoIsNotFound) {
   ASSERT_TRUE(AwaitEpisode("one"));
   demos_.Kill("one", SIGKILL);  // leaves its registration behind
   const ShellResult hold = Cell("hold --demo 1");
-  EXPECT_THAT(hold.output, HasSubstr("Those that run: none"));
+  EXPECT_THAT(hold.output, HasSubstr("Running: none"));
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ TEST_F(Doctor, NamesTheKeyThatIsWrongAndNeverACommandThatOverwritesTheFile) {
         visit.with_fault,
         ElementsAre(AllOf(
             StartsWith(line),
-            HasSubstr(path + ":typo: not known; remove it or mend its "),
+            HasSubstr(path + ":typo: not known; remove it or correct its "),
             HasSubstr("(line "), HasSubstr("; fix: correct it there; diff "),
             Not(HasSubstr("; fix: cp ")), Not(HasSubstr("checkout")))))
         << visit.output;

@@ -42,7 +42,7 @@ TEST_F(Follow, ServicesBehindAStockLogDoAsTheRecordedOnesDid) {
   EXPECT_EQ(play.code, 0) << play.output;
   EXPECT_THAT(play.output, HasSubstr("sec_builder: followed"));
   EXPECT_THAT(play.output, HasSubstr("recognizer: followed"));
-  EXPECT_THAT(play.output, Not(HasSubstr("not as in the log")));
+  EXPECT_THAT(play.output, Not(HasSubstr("differs from the log")));
   EXPECT_THAT(play.output, Not(HasSubstr(" 0 messages")));
   std::cout << play.output;
 }

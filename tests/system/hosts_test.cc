@@ -269,20 +269,20 @@ TEST_F(Hosts, AreNotReachedByATtlThatNobodyAllowed) {
         Shell(CELL_BIN_DIR "/" + program + " --live --state-dir " +
               dir_.string() + " --url '" + kTogether + "'");
     EXPECT_EQ(run.code, 2) << program;
-    EXPECT_THAT(run.output, HasSubstr("say --allow-network")) << program;
+    EXPECT_THAT(run.output, HasSubstr("add --allow-network")) << program;
   }
   for (const std::string command :
        {"top", "record", "hold", "goal round_pegs"}) {
     const ShellResult run = Cell(command + " --url '" + kTogether + "'");
     EXPECT_EQ(run.code, 1) << command;
-    EXPECT_THAT(run.output, HasSubstr("say --allow-network")) << command;
+    EXPECT_THAT(run.output, HasSubstr("add --allow-network")) << command;
   }
 }
 
 TEST_F(Hosts, HaveNoStartThatLiesAhead) {
   const ShellResult run = Cell("prepare --state-dir . --start 9999999999");
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.output, HasSubstr("--start 9999999999: lies ahead"));
+  EXPECT_THAT(run.output, HasSubstr("--start 9999999999: is in the future"));
   EXPECT_FALSE(fs::exists(dir_ / "runs"));
 }
 

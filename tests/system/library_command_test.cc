@@ -65,10 +65,9 @@ TEST_F(LibraryCommand, ExportedIsImportedWithTheSameIds) {
   EXPECT_EQ(Cell("library export all.json --database a").code, 0);
   EXPECT_EQ(TextOf(dir_ / "all.json"), TextOf(dir_ / "a" / "library.json"));
   const ShellResult run = Cell("library import all.json --database new.db");
-  EXPECT_THAT(run.output,
-              HasSubstr("15 actions imported, 0 were there already"));
+  EXPECT_THAT(run.output, HasSubstr("15 actions imported, 0 already present"));
   EXPECT_THAT(Cell("library import all.json --database new.db").output,
-              HasSubstr("0 actions imported, 15 were there already"));
+              HasSubstr("0 actions imported, 15 already present"));
   EXPECT_EQ(Cell("library export new.json --database new.db").code, 0);
   EXPECT_EQ(TextOf(dir_ / "new.json"), TextOf(dir_ / "all.json"));
 }
@@ -78,8 +77,9 @@ TEST_F(LibraryCommand, WhatCannotBeKeptIsNamedAndNothingIsImported) {
   const ShellResult name =
       Cell("library import a/library.json --database new.db");
   EXPECT_EQ(name.code, 1);
-  EXPECT_THAT(name.output,
-              HasSubstr("a/library.json:actions[4]: its name is not a letter"));
+  EXPECT_THAT(
+      name.output,
+      HasSubstr("a/library.json:actions[4]: its name should be a letter"));
   EXPECT_EQ(Cell("library list --database new.db").output, "");
   Replace(dir_ / "a" / "library.json", "\"undoes\"", "\"undone\"");
   EXPECT_THAT(Cell("library import a/library.json --database new.db").output,
@@ -90,8 +90,8 @@ TEST_F(LibraryCommand, AnotherActionOfTheSameNameIsRefused) {
   Replace(dir_ / "a" / "library.json", "0.95", "0.9500");
   const ShellResult run = Cell("library import a/library.json --database a");
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' is there "
-                                    "already, with id 1 and version 1"));
+  EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' already "
+                                    "exists, with id 1 and version 1"));
 }
 
 TEST_F(LibraryCommand, AMissingDatabaseIsNamedAndNotMade) {
@@ -117,7 +117,7 @@ TEST_F(LibraryCommand, AReadOnlyRunFolderIsReadAndStaysAsItIs) {
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_EQ(run.output, list);
   EXPECT_THAT(TextOf(dir_ / "why"),
-              HasSubstr("a/library.db: cannot be opened to be written"));
+              HasSubstr("a/library.db: cannot be opened for writing"));
 }
 
 TEST_F(LibraryCommand, AFullDiskLosesNothing) {
@@ -145,7 +145,7 @@ TEST_F(LibraryCommand, AFullDiskLosesNothing) {
       Shell("cd " + dir_.string() + " && " + InPrivateNetwork() +
             WithPrivateMounts() + "bash run.sh");
   EXPECT_THAT(run.output,
-              HasSubstr("small/library.db: the disk is full; make"));
+              HasSubstr("small/library.db: the disk is full; free"));
   EXPECT_THAT(run.output, HasSubstr("15  PutDown("));
 }
 

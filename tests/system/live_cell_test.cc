@@ -150,7 +150,7 @@ TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
   EXPECT_EQ(glimpse.incarnations().size(), own.incarnations().size());
 
   const ShellResult told = Cell("replay glimpse");
-  EXPECT_THAT(told.output, HasSubstr("key frame 0: as it stands"));
+  EXPECT_THAT(told.output, HasSubstr("key frame 0: no relation changed"));
   EXPECT_THAT(TextOf(dir_ / "glimpse/run.yaml"),
               HasSubstr("demonstration: \"two_pegs\"\nseed: 7\n"));
   EXPECT_EQ(told.code, is_whole ? 0 : 1) << told.output;

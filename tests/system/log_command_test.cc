@@ -75,10 +75,9 @@ class LogCommand : public RunCell {
         return true;
       }
       const std::string end = fmt::format(" {} {}", channel, sender);
-      const size_t place =
-          line.find("There is none after: ") == std::string::npos
-              ? std::string::npos
-              : line.find(end);
+      const size_t place = line.find("None follows: ") == std::string::npos
+                               ? std::string::npos
+                               : line.find(end);
       if (place != std::string::npos &&
           std::atoi(line.c_str() + place + end.size()) < m->seq) {
         return true;
@@ -132,7 +131,7 @@ TEST_F(LogCommand, ARecordingOfLcmLoggerIsTheRecordersButForWhatIsNamed) {
         [&](const Event& other) { return IsOfSameFlow(event, other); });
     const bool is_told =
         IsTold(event, convert.output) ||
-        (is_only_one && convert.output.find("nor of any that said nothing") !=
+        (is_only_one && convert.output.find("or any sender on a channel") !=
                             std::string::npos);
     if (!is_told) untold.push_back(std::get<1>(event));
   }

@@ -103,14 +103,14 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
        {"tracker", "sec_builder", "recognizer", "predicate_estimator",
         "planner", "supervisor", "robot_arm@left", "robot_arm@right", "library",
         "motion_planner", "recorder"}) {
-    EXPECT_GE(LinesWith(told, service + " has started again"), 1) << service;
+    EXPECT_GE(LinesWith(told, service + " has restarted"), 1) << service;
     EXPECT_THAT(TextOf(dir_ / "top.txt"), HasSubstr(service));
   }
   const size_t last_step = told.rfind("next: ");
   ASSERT_NE(last_step, std::string::npos) << told;
   EXPECT_THAT(told.substr(last_step), HasSubstr("the goal is reached"));
   // Each placement was recognised, or it is told that it was not: "No action
-  // was recognised ...", "Found done ...".
+  // was recognised ...", "Found at ...".
   const std::string heard = TextOf(dir_ / "heard.txt");
   EXPECT_THAT(heard, HasSubstr("the episode ends"));
   const std::string all = told + heard;
@@ -119,8 +119,8 @@ TEST_F(Systemd, APersonIsWatchedThroughDeathsAndHangs) {
         "separator", "pendulum", "head", "face_plate"}) {
     EXPECT_TRUE(HasLineWith(all, "recognised Place", part) ||
                 HasLineWith(all, "recognised Screw", part) ||
-                HasLineWith(all, "No action was recognised", part) ||
-                HasLineWith(all, "Found done", part))
+                HasLineWith(all, "No recognised action", part) ||
+                HasLineWith(all, "Found at", part))
         << part << " was placed and nothing said\n"
         << all << TextOf(dir_ / "glimpse.txt");
   }
@@ -148,7 +148,7 @@ TEST_F(Systemd, UpSaysWhyACellCannotStart) {
   EXPECT_EQ(TextOf(dir_ / "left.txt"), "") << "something was started";
   // What only the service finds is shown with it, and it is not tried again.
   EXPECT_THAT(TextOf(dir_ / "service.txt"),
-              AllOf(HasSubstr("tracker said last:\n"),
+              AllOf(HasSubstr("tracker: last output:\n"),
                     HasSubstr("/run/broken/config/" + said),
                     HasSubstr("journalctl --user -u 'cell-*'"),
                     HasSubstr("exit code 1")));

@@ -107,8 +107,10 @@ void AddChain(CLI::App& app, Action* action) {
   command->add_option("--object", options->object,
                       "only rows of this part or hand");
   command->add_option("--with", options->other,
-                      "another run folder: how similar are their chains?");
-  command->add_option("--measure", options->measure, "of how alike they are")
+                      "compare with the chains of this run folder");
+  command
+      ->add_option("--measure", options->measure,
+                   "similarity measure of --with")
       ->check(CLI::IsMember(ChainSimilarityNames()))
       ->capture_default_str();
   command->callback([=] {

@@ -56,11 +56,11 @@ int RunCheck(const std::string& path) {
 
 void AddCheck(CLI::App& app, Action* action) {
   auto run = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "check",
-      "Find out whether the arms of a recorded run have kept their limits and "
-      "hit nothing.\n"
-      "Example: cell check runs/sim-0001");
+  CLI::App* command =
+      app.add_subcommand("check",
+                         "Check whether the arms of a recorded run stayed "
+                         "within their limits and hit nothing.\n"
+                         "Example: cell check runs/sim-0001");
   command->add_option("run", *run, "run folder")->required();
   command->callback([=] {
     *action = [=] {

@@ -48,10 +48,10 @@ PlannedKill ParseKill(const std::string& text, const Roster& roster) {
       return kill;
     }
   }
-  throw std::invalid_argument("--kill " + text +
-                              ": not of the form SERVICE@TICK with a service "
-                              "of roster.yaml other than the clock and a "
-                              "decimal number");
+  throw std::invalid_argument(
+      "--kill " + text +
+      ": should be SERVICE@TICK with a service of roster.yaml other than the "
+      "clock and a decimal number");
 }
 
 // All processes of a cell on a network of their own, until the clock ends.
@@ -210,10 +210,10 @@ void AddDemo(CLI::App& app, Action* action) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = app.add_subcommand(
       "demo",
-      "Watch a person assemble, or let the arms do it (--demonstration "
-      "execution, or assembly+execution for one after the other): all "
-      "processes "
-      "over LCM, on a private network.\n"
+      "Run the cell with each service as a process, over LCM on a private "
+      "network: it watches a person assemble, or assembles with its arms "
+      "(--demonstration execution; assembly+execution runs one after the "
+      "other).\n"
       "Example: cell demo --seed 7 --pace realtime");
   options->run.AddTo(*command);
   command

@@ -71,7 +71,7 @@ int RunDiff(const std::string& first, const std::string& second) {
   }
   if (!is_a_whole || !is_b_whole) {
     std::cout << fmt::format(
-        "{} ticks in both; whether the runs are the same cannot be told: {} "
+        "{} ticks in both; cannot tell whether the runs are the same: {} "
         "damaged or incomplete\n",
         a.ticks().size(),
         is_a_whole   ? "the second log is"
@@ -90,7 +90,7 @@ void AddDiff(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
       "diff",
       "Find the first tick and channel in which two runs differ. Exit code 1 "
-      "if they do, or if a damaged log leaves it open.\n"
+      "if they differ, or if a log is too damaged to tell.\n"
       "Example: cell diff runs/demo-0001 runs/sim-0001");
   command->add_option("first", runs->first, "run folder")->required();
   command->add_option("second", runs->second, "run folder")->required();

@@ -75,8 +75,8 @@ void AddDoctor(CLI::App& app, Action* action) {
   auto options = std::make_shared<DoctorOptions>();
   CLI::App* command = app.add_subcommand(
       "doctor",
-      "Find what keeps a cell from running well here: one line for each check, "
-      "with the command that helps. Exit code 1 if anything is bad.\n"
+      "Check that a cell can run well on this machine: one line per check, "
+      "with the command that fixes a problem. Exit code 1 if anything is bad.\n"
       "Example: cell doctor --runs runs");
   command
       ->add_option("--root", options->root,
@@ -85,11 +85,12 @@ void AddDoctor(CLI::App& app, Action* action) {
       ->capture_default_str();
   command->add_option("--deploy", options->site.deploy_dir,
                       "folder with config/ and tasks/");
-  command->add_option("--programs", options->site.program_dir,
-                      "folder of the services (default: that of cell)");
+  command->add_option(
+      "--programs", options->site.program_dir,
+      "folder of the service programs (default: the folder of cell)");
   command
       ->add_option("--run", options->site.run_dir,
-                   "a run that is to be replayed: are its message types ours?")
+                   "check that the message types of this run are this build's")
       ->check(CLI::ExistingDirectory);
   options->site.runs_dir = "runs";
   command
@@ -98,7 +99,7 @@ void AddDoctor(CLI::App& app, Action* action) {
       ->capture_default_str();
   command->add_option("--url", options->url)->capture_default_str();
   command->add_flag("--several-hosts", options->site.is_several_hosts,
-                    "the cell spans several hosts: a ttl above 0 is meant");
+                    "the cell spans several hosts: a ttl above 0 is intended");
   command
       ->add_option("--min-free-mb", options->min_free_mb,
                    "disk space that a run may need")

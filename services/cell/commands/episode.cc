@@ -33,14 +33,14 @@ void AddEpisode(CLI::App& app, Action* action) {
   auto options = std::make_shared<EpisodeOptions>();
   CLI::App* command = app.add_subcommand(
       "episode",
-      "Begin or end an episode of a cell that runs on this network (a `cell "
-      "demo` has one of its own).\n"
+      "Begin or end an episode of the cell running on this network (a `cell "
+      "demo` has its own network).\n"
       "Example: cell episode start --demonstration assembly --seed 3");
   command->add_option("action", options->action, "start or end")
       ->required()
       ->check(CLI::IsMember({"start", "end"}));
   command->add_option("--demonstration", options->demonstration,
-                      "script of the task, for start");
+                      "for start: demonstration script of the task");
   command->add_option("--seed", options->seed)
       ->check(NumberIn<int64_t>(0))
       ->capture_default_str();

@@ -91,11 +91,11 @@ void RunMissing(const EvalOptions& options, const CellFiles& files,
       },
       show_and_go_on);
   if (!stop) return;
-  throw std::runtime_error(fmt::format(
-      "stopped; {} of {} runs are in {}: the same command with --resume does "
-      "the others",
-      trials.size() - missing.size() + num_done, trials.size(),
-      rows->path().string()));
+  throw std::runtime_error(
+      fmt::format("stopped; {} of {} runs are in {}: repeat the command with "
+                  "--resume to run the others",
+                  trials.size() - missing.size() + num_done, trials.size(),
+                  rows->path().string()));
 }
 
 json ToJson(const Measure& measure, uint64_t seed) {
@@ -216,7 +216,8 @@ int RunEval(const EvalOptions& options) {
 void AddEval(CLI::App& app, Action* action) {
   CLI::App* eval = app.add_subcommand(
       "eval",
-      "Measure how well the cell does, with intervals, against the goals.\n"
+      "Measure the cell's performance against its goals, with confidence "
+      "intervals.\n"
       "Example: cell eval watch --runs 50 --seed 1 --jobs 2 --json watch.json");
   eval->require_subcommand(1);
   for (auto& evaluation : AllEvaluations()) {
@@ -229,23 +230,26 @@ void AddEval(CLI::App& app, Action* action) {
     command->add_option("--deploy", options->deploy_dir,
                         "folder with config/ and tasks/");
     command
-        ->add_option("--runs", options->runs,
-                     "runs of the largest group (default: as the goal says)")
+        ->add_option(
+            "--runs", options->runs,
+            "runs of the largest group (default: what the goal requires)")
         ->check(NumberIn(1, kMaxRuns));
-    command->add_option("--seed", options->seed, "of the first run")
+    command->add_option("--seed", options->seed, "seed of the first run")
         ->check(NumberIn<uint64_t>(0, UINT64_MAX - kMaxRuns))
         ->capture_default_str();
-    command->add_option("--jobs", options->jobs, "processes at a time")
+    command
+        ->add_option("--jobs", options->jobs, "number of processes at a time")
         ->check(NumberIn(1, 256))
         ->capture_default_str();
     command->add_option("--json", options->json_file,
                         "write the measures here");
     command->add_option("--rows", options->rows_file,
-                        "one row a run (default: runs/eval-...)");
-    command->add_flag("--resume", options->is_resumed,
-                      "keep the rows that are there, run the others");
+                        "write one row per run here (default: runs/eval-...)");
+    command->add_flag(
+        "--resume", options->is_resumed,
+        "keep the rows of an earlier call and run what is missing");
     command->add_option("--sensing", options->sensing,
-                        "must be what tracker.yaml says (default: that)");
+                        "must agree with tracker.yaml (default: its value)");
     command->callback([=] {
       *action = [=] {
         return RunEval(*options);

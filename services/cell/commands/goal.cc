@@ -25,10 +25,11 @@ int CommandGoal(const GoalOptions& options) {
 
 void AddGoal(CLI::App& app, Action* action) {
   auto options = std::make_shared<GoalOptions>();
-  CLI::App* command = app.add_subcommand(
-      "goal",
-      "Give the episode of a cell that runs on this network another goal.\n"
-      "Example: cell goal assembled");
+  CLI::App* command =
+      app.add_subcommand("goal",
+                         "Change the goal of the current episode of the cell "
+                         "running on this network.\n"
+                         "Example: cell goal assembled");
   command->add_option("name", options->goal, "a goal of the task's domain.yaml")
       ->required();
   AddOperatorOptions(*command, &options->port);

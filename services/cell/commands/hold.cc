@@ -33,14 +33,14 @@ void AddModeCommand(CLI::App& app, Action* action, int8_t mode,
 
 void AddHold(CLI::App& app, Action* action) {
   AddModeCommand(app, action, command_mode_t::HOLD, "hold",
-                 "Stop the arms of a cell that runs on this network, until "
-                 "`cell resume`. No certified safety function.\n"
+                 "Stop the arms of the cell running on this network until "
+                 "`cell resume`. Not a certified safety function.\n"
                  "Example: cell hold");
 }
 
 void AddResume(CLI::App& app, Action* action) {
   AddModeCommand(app, action, command_mode_t::RESUME, "resume",
-                 "Let a cell go on after `cell hold` or a protective stop.\n"
+                 "Resume a cell after `cell hold` or a protective stop.\n"
                  "Example: cell resume --deadline 5");
 }
 

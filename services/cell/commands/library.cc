@@ -147,7 +147,7 @@ int Import(const LibraryOptions& options) {
   for (size_t i = 0; i < fresh.size(); ++i) {
     std::cout << fmt::format("{:4}  {}\n", ids[i], Signature(fresh[i]));
   }
-  std::cout << fmt::format("{} actions imported, {} were there already\n",
+  std::cout << fmt::format("{} actions imported, {} already present\n",
                            fresh.size(), records.size() - fresh.size());
   return 0;
 }
@@ -158,7 +158,8 @@ void AddLibrary(CLI::App& app, Action* action) {
   auto options = std::make_shared<LibraryOptions>();
   CLI::App* library = app.add_subcommand(
       "library",
-      "The actions that a cell knows, while no cell runs with them.\n"
+      "Show, export or import the actions that a cell knows, while no running "
+      "cell uses them.\n"
       "Example: cell library list --database runs/demo-0001");
   library->require_subcommand(1);
   const auto add = [&](const std::string& name, const std::string& text,
@@ -176,11 +177,11 @@ void AddLibrary(CLI::App& app, Action* action) {
     return command;
   };
   add("list",
-      "All actions: id, arguments, who can do it.\n"
+      "List all actions: id, arguments, and agents that can perform them.\n"
       "Example: cell library list --database runs/demo-0001",
       List);
   add("show",
-      "One action with its event chain, rules and skill.\n"
+      "Show one action with its event chain, rules and skill.\n"
       "Example: cell library show 3 --database runs/demo-0001",
       Show)
       ->add_option("id", options->id)
@@ -192,12 +193,12 @@ void AddLibrary(CLI::App& app, Action* action) {
       Export)
       ->add_option("file", options->file, "JSON file")
       ->required();
-  CLI::App* import = add(
-      "import",
-      "Keep the actions of a JSON file, all or none, each as if a service had "
-      "asked for it.\n"
-      "Example: cell library import actions.json --database library.db",
-      Import);
+  CLI::App* import =
+      add("import",
+          "Store the actions of a JSON file, all or none, as if a service had "
+          "sent a request for each.\n"
+          "Example: cell library import actions.json --database library.db",
+          Import);
   import->add_option("file", options->file, "JSON file")->required();
   import->add_option("--deploy", options->deploy_dir,
                      "folder with config/ and tasks/");

@@ -80,8 +80,8 @@ void AddList(CLI::App& app, Action* action) {
   auto deploy_dir = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "list",
-      "What there is to name: tasks, goals, demonstrations, actions, services, "
-      "evaluations.\nExample: cell list");
+      "List the names that commands accept: tasks, goals, demonstrations, "
+      "actions, services, evaluations.\nExample: cell list");
   command->add_option("--deploy", *deploy_dir,
                       "folder with config/ and tasks/");
   command->callback([=] {

@@ -36,8 +36,8 @@ std::vector<fs::path> LogsAt(const std::string& path) {
 std::string Summary(const LogIndex& index, const LogAudit& audit) {
   if (audit.manifests.empty()) {
     return fmt::format(
-        "{} events, no TICK of this cell's message types among them: what is "
-        "missing between them cannot be told",
+        "{} events, none of them a TICK of this cell's message types: cannot "
+        "tell what is missing between them",
         index.entries.size());
   }
   std::string text =
@@ -46,7 +46,7 @@ std::string Summary(const LogIndex& index, const LogAudit& audit) {
                   index.entries.size(), audit.manifests.begin()->first,
                   audit.manifests.rbegin()->first);
   if (audit.num_unnamed > 0) {
-    text += fmt::format("; {} that no TICK names (void, repeated or forged)",
+    text += fmt::format("; {} not named by any TICK (void, repeated or forged)",
                         audit.num_unnamed);
   }
   if (audit.num_unproved > 0) {
@@ -91,9 +91,9 @@ int CheckLive(const LogOptions& options) {
     std::cout << Printable(problem) << "\n";
   }
   std::cout << fmt::format(
-      "{}: of a live cell, {} lives\n{}\n", Printable(options.log),
+      "{}: log of a live cell, {} service starts\n{}\n", Printable(options.log),
       log.incarnations().size(),
-      problems.empty() ? "whole" : fmt::format("{} findings", problems.size()));
+      problems.empty() ? "whole" : Counted(static_cast<int64_t>(problems.size()), "finding"));
   return problems.empty() ? 0 : 1;
 }
 
@@ -106,7 +106,7 @@ int RunCheck(const LogOptions& options) {
       "{}: {}\n{}\n", Printable(options.log), Summary(index, audit),
       audit.findings.empty()
           ? "whole"
-          : fmt::format("{} findings", audit.findings.size()));
+          : Counted(static_cast<int64_t>(audit.findings.size()), "finding"));
   if (options.is_stock) {
     for (const fs::path& file : index.files) {
       const StockReading stock = ReadAsStockToolsDo(file);
@@ -166,28 +166,28 @@ CLI::App* AddLogCommand(CLI::App& group, const char* name, const char* help,
 void AddLog(CLI::App& app, Action* action) {
   CLI::App* group = app.add_subcommand(
       "log",
-      "Check, repair and convert logs, those of LCM's stock tools too.\n"
+      "Check, repair and convert logs, including those of LCM's stock tools.\n"
       "Example: cell log check runs/sim-0001");
   group->require_subcommand(1);
   const auto options = std::make_shared<LogOptions>();
   AddLogCommand(*group, "check",
-                "Find all damage, and every message that is lost: held against "
-                "the manifests. Exit code 1 if there is any. Of a log without "
-                "TICKs it can find damage only.\n"
+                "Find all damage, and every lost message by comparison with "
+                "the TICK manifests. Exit code 1 if there is any. In a log "
+                "without TICKs only damage can be found.\n"
                 "Example: cell log check runs/sim-0001 --stock",
                 options, RunCheck, action)
       ->add_flag("--stock", options->is_stock,
-                 "say also what LCM's own reader returns");
+                 "also report what LCM's own reader returns");
   AddLogCommand(*group, "repair",
-                "Save what can be saved of a damaged log, and name what "
-                "cannot. Exit code 0 once the new log is written.\n"
+                "Recover the intact messages of a damaged log, and name what "
+                "is lost. Exit code 0 once the new log is written.\n"
                 "Example: cell log repair broken.lcmlog --out good.lcmlog",
                 options, RunRepair, action)
       ->add_option("--out", options->out, "log to write")
       ->required();
   AddLogCommand(*group, "convert",
-                "Bring a recording of lcm-logger into the form that `cell` "
-                "writes. Exit code 1 if it lacks messages, which are named.\n"
+                "Convert a recording of lcm-logger into the form that `cell` "
+                "writes. Exit code 1 if messages are missing; each is named.\n"
                 "Example: cell log convert lcmlog-2024-05-01.00 --out "
                 "run/cell-0001.lcmlog",
                 options, RunConvert, action)

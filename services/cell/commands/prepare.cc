@@ -43,8 +43,8 @@ int64_t MonotonicTimeOf(int64_t utc_s) {
   };
   const int64_t utc = now(std::chrono::system_clock());
   if (utc_s > utc / kSecond) {
-    throw std::invalid_argument(
-        fmt::format("--start {}: lies ahead by this host's clock", utc_s));
+    throw std::invalid_argument(fmt::format(
+        "--start {}: is in the future by this host's clock", utc_s));
   }
   return now(std::chrono::steady_clock()) - (utc - utc_s * kSecond);
 }
@@ -73,10 +73,13 @@ void AddPrepare(CLI::App& app, Action* action) {
   auto options = std::make_shared<PrepareOptions>();
   CLI::App* command = app.add_subcommand(
       "prepare",
-      "Begin a session of a live cell that does not run yet: ticks from 0, and "
-      "a new folder for its logs, STATE_DIR/runs/current. `cell up` does it."
+      "Prepare a session of a live cell that is not running yet: ticks start "
+      "at 0, and its logs go to a new folder, STATE_DIR/runs/current. `cell "
+      "up` does this itself."
       "\nExample: cell prepare --state-dir /var/lib/cell --seed 7");
-  command->add_option("--state-dir", options->state_dir, "of the live cell")
+  command
+      ->add_option("--state-dir", options->state_dir,
+                   "state folder of the live cell")
       ->required();
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
@@ -85,12 +88,11 @@ void AddPrepare(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed)
       ->check(NumberIn<uint64_t>())
       ->capture_default_str();
-  command->add_flag("--cameras", options->has_cameras,
-                    "the camera sets take part");
+  command->add_flag("--cameras", options->has_cameras, "run the camera sets");
   command
       ->add_option("--start", options->start_s,
                    "when ticks begin [s since 1970, UTC]: the same on all "
-                   "hosts of a cell (default: when the first service does)")
+                   "hosts of a cell (default: when the first service starts)")
       ->check(NumberIn<int64_t>(0, kLatestStart));
   command->callback([=] {
     *action = [=] {

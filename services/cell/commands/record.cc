@@ -85,7 +85,7 @@ class Recording {
                   " that no service of the cell sent");
     if (num_messages_ > 0) return num_lost > 0 ? 1 : 0;
     run_.Discard();
-    std::cout << "no cell was heard: does it run on this network? See `cell "
+    std::cout << "no cell was heard: is one running on this network? See `cell "
                  "status` and docs/operating.md\n";
     return 1;
   }
@@ -121,16 +121,17 @@ void AddRecord(CLI::App& app, Action* action) {
   auto options = std::make_shared<RecordOptions>();
   CLI::App* command = app.add_subcommand(
       "record",
-      "Record a cell that runs on this network, beside its own recorder, until "
-      "Ctrl-C: a run folder, for `cell replay`, `cell view` and `cell log`. "
+      "Record the cell running on this network, in addition to its own "
+      "recorder, until Ctrl-C. The result is a run folder for `cell replay`, "
+      "`cell view` and `cell log`. "
       "Exit code 1 if a message was lost.\n"
       "Example: cell record --seconds 10 --out glimpse");
   options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--out", options->out,
-                      "run folder to make (default: runs/record-...)");
-  command->add_option("--seconds", options->duration_s, "end after so many")
+                      "run folder to create (default: runs/record-...)");
+  command->add_option("--seconds", options->duration_s, "stop after this many")
       ->check(NumberIn(0.1, 86400.));
   command->callback([=] {
     *action = [=] {

@@ -60,7 +60,7 @@ std::pair<bool, std::string> ReplayOne(const RunFolder& run, const RunLog& log,
   const ReplayResult result = Replay(log, run.roster, name, factory);
   if (result.difference) return {false, "DIFFERENT: " + *result.difference};
   if (result.num_messages == 0 && !result.gap_after) {
-    return {true, "nothing of it in this log"};
+    return {true, "this log has no messages of it"};
   }
   std::string line =
       Counted(result.num_messages, "message") + ", byte-identical";
@@ -77,12 +77,13 @@ std::pair<bool, std::string> ReplayOneLive(const RunFolder& run,
   const LiveReplayResult result = ReplayLive(log, run.roster, name, factory);
   if (result.difference) return {false, "DIFFERENT: " + *result.difference};
   if (result.num_incarnations == 0)
-    return {true, "keeps no journal in this log"};
+    return {true, "this log has no journal of it"};
   std::string line = fmt::format("{} of {}, byte-identical",
                                  Counted(result.num_messages, "message"),
                                  Counted(result.num_incarnations, "start"));
   if (result.num_unrecorded > 0) {
-    line += fmt::format("; {} more that the log lacks", result.num_unrecorded);
+    line += fmt::format("; {} more are missing from the log",
+                        result.num_unrecorded);
   }
   for (const std::string& gap : result.gaps) line += "; up to " + gap;
   for (const std::string& skipped : result.skipped) {
@@ -133,9 +134,9 @@ RunFolder FolderOf(const ReplayOptions& options) {
     throw std::runtime_error(
         options.run +
         ": is a recording of lcm-logger, not a run folder: it lacks run.yaml "
-        "and deploy/, by which services are recomputed. Put its parts into a "
-        "copy of the run folder, without the log there; or tell it without "
-        "--check");
+        "and deploy/, which are needed to recompute services. Put its parts "
+        "into a copy of the run folder, in place of its log; or replay it "
+        "without --check");
   }
   RunFolder run;
   run.path = path;
@@ -173,7 +174,8 @@ void AddReplay(CLI::App& app, Action* action) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand(
       "replay",
-      "Say again what happened in a recorded run, or recompute every service's "
+      "Print again what happened in a recorded run, or recompute every "
+      "service's "
       "outputs from "
       "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
   command->add_option("run", options->run, "run folder")->required();
@@ -181,11 +183,11 @@ void AddReplay(CLI::App& app, Action* action) {
                                          "recompute and compare byte for byte");
   command
       ->add_flag("--verbose", options->is_verbose,
-                 "tell also whole plans, and conditions as formulas")
+                 "also print whole plans, and conditions as formulas")
       ->excludes(check);
   command
       ->add_option("--service", options->services,
-                   "only this one (may be repeated)")
+                   "only this service (may be repeated)")
       ->needs(check);
   command->callback([=] {
     *action = [=] {

@@ -67,11 +67,11 @@ void AddSim(CLI::App& app, Action* action) {
   auto options = std::make_shared<SimOptions>();
   CLI::App* command = app.add_subcommand(
       "sim",
-      "Run the whole cell in one process, as fast as it goes.\n"
+      "Run the whole cell in one process, as fast as possible.\n"
       "Example: cell sim --seed 7 --hash");
   options->run.AddTo(*command);
   command->add_option("--deaths-of", options->deaths_of,
-                      "run folder whose services' deaths are repeated");
+                      "repeat the service deaths of this run folder");
   command->callback([=] {
     *action = [=] {
       return RunSim(*options);

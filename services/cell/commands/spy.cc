@@ -33,8 +33,9 @@ int RunSpy(const SpyOptions& options) {
   }
   if (!parts.missing.empty()) return 1;
   if (!machine.Environment("DISPLAY")) {
-    std::cerr << "cell spy: there is no screen (DISPLAY is not set): run it on "
-                 "a desktop, or log in with ssh -X\n";
+    std::cerr
+        << "cell spy: there is no display (DISPLAY is not set): run it on "
+           "a desktop, or log in with ssh -X\n";
     return 1;
   }
   const LcmAddress address = options.address.Reach();
@@ -56,12 +57,12 @@ void AddSpy(CLI::App& app, Action* action) {
   auto options = std::make_shared<SpyOptions>();
   CLI::App* command = app.add_subcommand(
       "spy",
-      "Look at a running cell's messages, decoded, with LCM's own lcm-spy. It "
-      "loses messages of more than 100 KB.\n"
+      "Show a running cell's decoded messages with LCM's own lcm-spy, which "
+      "loses messages larger than 100 KB.\n"
       "Example: cell spy --url udpm://239.255.76.67:7667");
   options->address.AddTo(*command);
   command->add_option("--root", options->root,
-                      "where Java is looked for, instead of /");
+                      "folder in which to look for Java, instead of /");
   command->callback([=] {
     *action = [=] {
       return RunSpy(*options);

@@ -80,7 +80,7 @@ void AddTop(CLI::App& app, Action* action) {
   auto options = std::make_shared<TopOptions>();
   CLI::App* command = app.add_subcommand(
       "top",
-      "Watch a cell that runs: each service's processor time, memory and "
+      "Watch a running cell: each service's processor time, memory and "
       "losses, each channel's rate, bytes, gaps and rejected messages.\n"
       "Example: cell top --period 2 --reports 1");
   options->address.AddTo(*command);
@@ -91,7 +91,7 @@ void AddTop(CLI::App& app, Action* action) {
       ->capture_default_str();
   command
       ->add_option("--reports", options->num_reports,
-                   "end after so many; 0: until Ctrl-C")
+                   "stop after this many; 0: run until Ctrl-C")
       ->check(NumberIn(0));
   command->callback([=] {
     *action = [=] {

@@ -27,7 +27,7 @@ int WriteTypes(const std::filesystem::path& folder) {
   for (const auto& [name, text] : kTypeTexts) {
     if (!Holds(folder / name, text)) {
       WriteNewFile(folder / name, text,
-                   "it has another text; choose another --out");
+                   "it exists with other content; choose another --out");
     }
   }
   std::cout << fmt::format("{} message types in {}\n", std::size(kTypeTexts),

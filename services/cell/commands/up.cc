@@ -42,12 +42,13 @@ int PrintStatus(const ServiceManager& manager) {
   if (is_well) return 0;
   for (const ServiceUnit& unit : units) {
     if (unit.is_active) continue;
-    std::cout << ShortName(unit.name) << " said last:\n";
+    std::cout << ShortName(unit.name) << ": last output:\n";
     for (const std::string& line : manager.LastLinesOf(unit)) {
       std::cout << "  " << Printable(line) << "\n";
     }
   }
-  std::cout << "not all are active; more: " << manager.JournalCommand() << "\n";
+  std::cout << "not all services are active; for more: "
+            << manager.JournalCommand() << "\n";
   return 1;
 }
 
@@ -60,7 +61,7 @@ int Up(const ServiceManager& manager) {
 
 int Down(const ServiceManager& manager) {
   manager.Stop();
-  std::cout << "the cell is down; its logs and its state are kept\n";
+  std::cout << "the cell is down; its logs and state are kept\n";
   return 0;
 }
 
@@ -69,7 +70,7 @@ void AddManagerCommand(CLI::App& app, Action* action, const char* name,
   auto is_user = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(name, help);
   command->add_flag("--user", *is_user,
-                    "under your own manager, not the system's");
+                    "use your own systemd manager, not the system's");
   command->callback([=] {
     *action = [=] {
       return run(ServiceManager(*is_user));
@@ -88,16 +89,17 @@ void AddUp(CLI::App& app, Action* action) {
 
 void AddDown(CLI::App& app, Action* action) {
   AddManagerCommand(app, action, "down",
-                    "Stop the cell that `cell up` has started.\n"
+                    "Stop the cell that `cell up` started.\n"
                     "Example: cell down --user",
                     Down);
 }
 
 void AddStatus(CLI::App& app, Action* action) {
-  AddManagerCommand(app, action, "status",
-                    "What systemd says of the cell's services; exit code 1 "
-                    "unless all are active.\nExample: cell status --user",
-                    PrintStatus);
+  AddManagerCommand(
+      app, action, "status",
+      "Show the state of the cell's services under systemd; exit code 1 "
+      "unless all are active.\nExample: cell status --user",
+      PrintStatus);
 }
 
 }  // namespace cell::cli

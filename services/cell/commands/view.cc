@@ -107,24 +107,25 @@ void AddView(CLI::App& app, Action* action) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand(
       "view",
-      "Draw any moment of a recorded run, or show what a camera took.\n"
+      "Draw a recorded run at any time, or show a frame of a camera.\n"
       "Example: cell view runs/demo-0001 --at 20 --out scene.png");
   command->add_option("run", options->run, "run folder")->required();
-  command->add_option("--at", options->at_s, "[s] moment (default: the last)")
+  command
+      ->add_option("--at", options->at_s,
+                   "[s] time to draw (default: the last)")
       ->check(NumberIn(0., 1e9));
   command->add_option("--out", options->out, "PNG file")->capture_default_str();
   command->add_flag("--ids", options->viewpoint.is_of_ids,
-                    "every body in a colour of its own");
+                    "give every body its own colour");
   command->add_flag("--labels", options->viewpoint.has_labels,
                     "write the name on each part");
   command->add_flag("--counts", options->has_counts,
                     "print how many pixels show each body");
-  CLI::Option* camera =
-      command->add_option("--camera", options->camera,
-                          "the frame that this camera set took, e.g. 1");
+  CLI::Option* camera = command->add_option(
+      "--camera", options->camera, "show the frame of this camera set, e.g. 1");
   command
       ->add_flag("--depth", options->is_of_depth,
-                 "its depth as grey: near is bright")
+                 "show its depth as grey: near is bright")
       ->needs(camera);
   command
       ->add_option("--azimuth", options->viewpoint.azimuth_deg,

@@ -22,7 +22,7 @@ bool IsLoopbackUp(const Machine& machine, const Site& site) {
 
 Diagnosis CheckLoopback(const Machine& machine, const Site& site) {
   if (IsLoopbackUp(machine, site)) return Diagnosis::Ok("lo is up");
-  return Diagnosis::Bad("lo is down: no service hears another",
+  return Diagnosis::Bad("lo is down: services cannot hear each other",
                         fmt::format("ip link set lo up && {}", kAddRoute));
 }
 
@@ -40,11 +40,10 @@ Diagnosis CheckRoute(const Machine& machine, const Site& site) {
                           kAddRoute);
   }
   if (*route != "lo" && !site.is_several_hosts) {
-    return Diagnosis::Warning(
-        fmt::format("{} goes to {}: this cell is of one host, and its "
-                    "datagrams belong on lo",
-                    group, *route),
-        kAddRoute);
+    return Diagnosis::Warning(fmt::format("{} goes to {}: a cell on one host "
+                                          "should send its datagrams over lo",
+                                          group, *route),
+                              kAddRoute);
   }
   return Diagnosis::Ok(fmt::format("{} goes to {}", group, *route));
 }
@@ -56,7 +55,7 @@ Diagnosis CheckTtl(const Machine& machine, const Site& site) {
     return Diagnosis::Bad(
         fmt::format("--url asks for ttl {}: datagrams leave this host",
                     site.address.ttl),
-        "leave ?ttl= out of --url, or say --several-hosts");
+        "remove ?ttl= from --url, or add --several-hosts");
   }
   const auto url = machine.Environment("LCM_DEFAULT_URL");
   if (!url) return Diagnosis::Ok("LCM_DEFAULT_URL is not set; LCM's ttl is 0");
@@ -89,8 +88,8 @@ Diagnosis CheckControlPort(const Machine& machine, const Site& site) {
   }
   const ProcessName& odd = stranger == owners.end() ? owners.back() : *stranger;
   return Diagnosis::Bad(
-      fmt::format("UDP port {} is the clock's alone, but heard by {}: another "
-                  "cell, or a tool on the wrong port",
+      fmt::format("UDP port {} is for the clock only, but {} listens on it: "
+                  "another cell, or a tool on the wrong port",
                   port, names),
       fmt::format("kill {}", odd.pid));
 }
@@ -104,11 +103,10 @@ Diagnosis CheckBuffer(const Machine& machine, const Site& site) {
   if (size >= kReceiveBuffer) {
     return Diagnosis::Ok(fmt::format("net.core.rmem_max is {}", size));
   }
-  return Diagnosis::Bad(
-      fmt::format("net.core.rmem_max is {}, the cell needs {}: camera frames "
-                  "get lost",
-                  size, kReceiveBuffer),
-      fmt::format("echo {} > {}", kRoomyBuffer, path));
+  return Diagnosis::Bad(fmt::format("net.core.rmem_max is {}, the cell needs "
+                                    "{}: camera frames will be lost",
+                                    size, kReceiveBuffer),
+                        fmt::format("echo {} > {}", kRoomyBuffer, path));
 }
 
 // Later names win, /etc/sysctl.conf comes last.

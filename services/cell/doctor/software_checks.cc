@@ -116,9 +116,9 @@ std::string FirstOf(const std::vector<std::string>& names) {
 
 std::string TypeTexts::ToString() const {
   std::string text;
-  if (!different.empty()) text = "others are " + FirstOf(different);
+  if (!different.empty()) text = "different: " + FirstOf(different);
   if (!missing.empty()) {
-    text += (text.empty() ? "" : "; ") + ("missing are " + FirstOf(missing));
+    text += (text.empty() ? "" : "; ") + ("missing: " + FirstOf(missing));
   }
   return text;
 }
@@ -147,37 +147,39 @@ Diagnosis CheckTypes(const Machine& machine, const Site& site) {
   }
   const TypeTexts texts = TypeTextsIn(machine, folder);
   if (texts.is_good()) {
-    return Diagnosis::Ok(fmt::format("{} texts are those of the programs",
-                                     std::size(kTypeTexts)));
+    return Diagnosis::Ok(
+        fmt::format("{} texts agree with the programs", std::size(kTypeTexts)));
   }
   if (texts.are_none()) {
     return Diagnosis::Bad(
-        fmt::format("there are no message type texts in {}, where they are "
-                    "looked for: beside the deployment; runs would lack them",
+        fmt::format("there are no message type texts in {}, beside the "
+                    "deployment; runs would lack them",
                     folder),
         fmt::format("{}/cell types --out {}", site.program_dir, folder));
   }
   return Diagnosis::Bad(
-      fmt::format("the programs were built with other texts than those in {}: "
-                  "{}. Build anew; to have the old texts back, beside these:",
-                  folder, texts.ToString()),
+      fmt::format(
+          "the programs were built with texts other than those in {}: {}. "
+          "Rebuild; or restore the programs' texts and keep these beside them:",
+          folder, texts.ToString()),
       fmt::format("mv {0} {0}.other && {1}/cell types --out {0}", folder,
                   site.program_dir));
 }
 
 Diagnosis CheckTypesOfRun(const Machine& machine, const Site& site) {
-  if (site.run_dir.empty()) return Diagnosis::Ok("none is asked for (--run)");
+  if (site.run_dir.empty()) return Diagnosis::Ok("no run given (--run)");
   const TypeTexts texts = TypeTextsIn(machine, site.run_dir + "/lcmtypes");
-  if (texts.is_good()) return Diagnosis::Ok(site.run_dir + " has this build's");
+  if (texts.is_good())
+    return Diagnosis::Ok(site.run_dir + " has the types of this build");
   if (texts.are_none()) {
     return Diagnosis::Bad(
         fmt::format("there are no message type texts in {}/lcmtypes, where a "
-                    "run keeps its own",
+                    "run keeps them",
                     site.run_dir),
         "compare the commit that it was recorded with, if you know it");
   }
   return Diagnosis::Bad(
-      fmt::format("{} was recorded with other texts than this build's: {}",
+      fmt::format("{} was recorded with texts other than this build's: {}",
                   site.run_dir, texts.ToString()),
       "replay it with a build of the tree that it was recorded with");
 }
@@ -186,7 +188,7 @@ Diagnosis CheckPackages(const Machine& machine, const Site& site) {
   const fs::path top = fs::path(site.shipped_dir).parent_path();
   const auto list = machine.Read((top / "scripts/packages.txt").string());
   if (site.shipped_dir.empty() || !list)
-    return Diagnosis::Ok("installed: dpkg has seen to them");
+    return Diagnosis::Ok("installed; dpkg has checked them");
   const MissingPackages missing = FindMissingPackages(
       *list, machine.Read(site.root + "/var/lib/dpkg/status").value_or(""));
   const auto fix = [&](const std::vector<std::string>& packages) {
@@ -202,11 +204,11 @@ Diagnosis CheckPackages(const Machine& machine, const Site& site) {
   }
   if (!missing.others.empty()) {
     return Diagnosis::Warning(
-        fmt::format("missing for building, testing or looking: {}",
+        fmt::format("missing for building, testing or viewing: {}",
                     fmt::join(missing.others, ", ")),
         fix(missing.others));
   }
-  return Diagnosis::Ok("all are there");
+  return Diagnosis::Ok("all are installed");
 }
 
 Diagnosis CheckSpy(const Machine& machine, const Site& site) {
@@ -214,7 +216,7 @@ Diagnosis CheckSpy(const Machine& machine, const Site& site) {
   if (parts.missing.empty()) return Diagnosis::Ok("cell spy has all it needs");
   std::string what, fix;
   for (const auto& missing : parts.missing) {
-    what += (what.empty() ? "no cell spy: " : ", ") + missing.what;
+    what += (what.empty() ? "cell spy cannot run: " : ", ") + missing.what;
     fix += (fix.empty() ? "" : " && ") + missing.fix;
   }
   return Diagnosis::Warning(what, fix);

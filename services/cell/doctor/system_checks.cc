@@ -40,9 +40,9 @@ Diagnosis CheckGovernor(const Machine& machine, const Site& site) {
     const auto governor = machine.Read(path);
     if (governor && governor->starts_with("powersave")) slow += " " + path;
   }
-  if (slow.empty()) return Diagnosis::Ok("no processor is held slow");
+  if (slow.empty()) return Diagnosis::Ok("no processor is slowed down");
   return Diagnosis::Warning(
-      "processors are held slow (governor powersave): ticks may come late",
+      "processors are slowed down (governor powersave): ticks may be late",
       fmt::format("echo performance | tee{} > /dev/null", slow));
 }
 
@@ -76,14 +76,15 @@ std::vector<std::pair<int64_t, std::string>> RunsOf(const Machine& machine,
 Diagnosis CheckRunsFolder(const Machine& machine, const Site& site) {
   const auto status = machine.StatusOf(site.runs_dir);
   if (!status) {
-    return Diagnosis::Ok(site.runs_dir + " will be made by the first run");
+    return Diagnosis::Ok(site.runs_dir + " will be created by the first run");
   }
   if (!status->is_folder) {
-    return Diagnosis::Bad(site.runs_dir + " is no folder: runs cannot be kept",
-                          fmt::format("mv {0} {0}.moved", site.runs_dir));
+    return Diagnosis::Bad(
+        site.runs_dir + " is not a folder: runs cannot be stored",
+        fmt::format("mv {0} {0}.moved", site.runs_dir));
   }
   if ((status->mode & 0700) != 0700) {
-    return Diagnosis::Bad(fmt::format("{} has mode {:o}: runs cannot be kept",
+    return Diagnosis::Bad(fmt::format("{} has mode {:o}: runs cannot be stored",
                                       site.runs_dir, status->mode),
                           "chmod u+rwx " + site.runs_dir);
   }
@@ -102,7 +103,7 @@ Diagnosis CheckDisk(const Machine& machine, const Site& site) {
   }
   const auto runs = RunsOf(machine, site);
   return Diagnosis::Bad(
-      fmt::format("{} MB free in {}, should be {}: logs get cut",
+      fmt::format("{} MB free in {}, should be {}: logs may be cut short",
                   mb(free.value_or(0)), folder, mb(site.min_free_bytes)),
       runs.empty() ? "delete what is no longer needed (df -h " + folder + ")"
                    : "rm -r " + runs.front().second);
@@ -134,7 +135,7 @@ Diagnosis CheckStaleRuns(const Machine& machine, const Site& site) {
   }
   if (stale.empty()) return Diagnosis::Ok("every run has a log");
   return Diagnosis::Warning(
-      "runs that failed at their start hold no log:" + stale, "rm -r" + stale);
+      "runs that failed at their start have no log:" + stale, "rm -r" + stale);
 }
 
 }  // namespace

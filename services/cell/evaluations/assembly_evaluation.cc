@@ -39,7 +39,7 @@ class AssemblyEvaluation final : public Evaluation {
                }),
         ShareOf(rows, kGroup, "placements seated", "placements_seated",
                 "placements"),
-        ShareOf(rows, kGroup, "threaded parts turned home", "turned_home",
+        ShareOf(rows, kGroup, "threaded parts tightened", "turned_home",
                 "turned"),
         RunsOf(rows, kGroup, "runs in which nothing seated came loose again",
                [](const json& row) { return row.at("broken").empty(); }),

@@ -66,13 +66,13 @@ class DisturbedEvaluation final : public Evaluation {
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures = {
-        RunsOf(rows, kSolvable, "runs in which a person did disturb",
+        RunsOf(rows, kSolvable, "runs in which a person interfered",
                IsDisturbed),
-        RunsOf(rows, kSolvable, "runs assembled to the end", IsWhole),
-        RunsOf(rows, kUnsolvable, "runs in which a person did disturb",
+        RunsOf(rows, kSolvable, "runs with a complete assembly", IsWhole),
+        RunsOf(rows, kUnsolvable, "runs in which a person interfered",
                IsDisturbed),
         RunsOf(rows, kUnsolvable,
-               "runs that end in a question for just the missing part",
+               "runs that end by asking for exactly the missing part",
                AsksForWhatIsMissing)};
     for (const char* group : {kSolvable, kUnsolvable}) {
       measures.push_back(RunsOf(rows, group, "runs without a breach of limits",

@@ -56,7 +56,9 @@ std::vector<SkillDriver::Task> Insertions(const Bench& bench) {
       }
     }
   }
-  if (tasks.empty()) throw std::runtime_error("no insertion stands alone");
+  if (tasks.empty())
+    throw std::runtime_error(
+        "no insertion is possible without another before it");
   return tasks;
 }
 
@@ -123,7 +125,7 @@ class InsertionEvaluation final : public Evaluation {
  public:
   std::string name() const override { return "insertion"; }
   std::string description() const override {
-    return "Insert single parts with an aim that is 2 mm and 1 degree off.";
+    return "Insert single parts with an aim that is off by 2 mm and 1 degree.";
   }
   int default_runs() const override { return 20; }
 
@@ -173,8 +175,10 @@ class InsertionEvaluation final : public Evaluation {
       return row.at("seated").get<bool>() && row.at("succeeded").get<bool>();
     };
     std::vector<Measure> measures = {
-        RunsOf(rows, kSearch, "parts seated, and known to be", is_inserted),
-        RunsOf(rows, kNoSearch, "parts seated, and known to be", is_inserted),
+        RunsOf(rows, kSearch, "parts seated, and reported as seated",
+               is_inserted),
+        RunsOf(rows, kNoSearch, "parts seated, and reported as seated",
+               is_inserted),
     };
     measures.back().goal = 0;  // for comparison
     return measures;

@@ -30,8 +30,8 @@ RowStore::RowStore(std::filesystem::path path, bool is_resumed)
     if (!std::filesystem::is_regular_file(path_)) return;
     if (!is_resumed && std::filesystem::file_size(path_) > 0) {
       Fail(
-          "holds rows already; go on from them with --resume, or choose "
-          "another --rows");
+          "already holds rows; continue with --resume, or choose another "
+          "--rows");
     }
     Load();
   } catch (...) {
@@ -63,7 +63,7 @@ void RowStore::Load() {
       if (ftruncate(file_, num_whole) != 0) Fail(std::strerror(errno));
     } else {
       Fail(
-          fmt::format("line {} is no row of an evaluation; choose another "
+          fmt::format("line {} is not a row of an evaluation; choose another "
                       "--rows",
                       number));
     }

@@ -50,7 +50,7 @@ const char* NameOf(StopKind kind) {
     case StopKind::kDeath:
       break;
   }
-  return "death of the arm's service";
+  return "crash of the arm's service";
 }
 
 StopChoice ChooseStop(StoppedSkill skill, uint64_t seed, int index) {

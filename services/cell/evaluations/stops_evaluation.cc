@@ -34,7 +34,7 @@ json ToJson(const MadeStop& stop) {
 
 /// Stops of a kind, and those after which nothing placed has moved.
 Measure StopsOf(const std::vector<json>& rows, StopKind kind) {
-  Measure measure{.name = std::string(kGroup) + ": nothing placed moved, " +
+  Measure measure{.name = std::string(kGroup) + ": no placed part moved, " +
                           NameOf(kind)};
   for (const json& row : rows) {
     for (const json& stop : row.at("stops")) {
@@ -80,7 +80,7 @@ class StopsEvaluation final : public Evaluation {
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {
-        RunsOf(rows, kGroup, "runs assembled to the end",
+        RunsOf(rows, kGroup, "runs with a complete assembly",
                [](const json& row) {
                  return row.at("complete") && row.at("state") == "done";
                }),
@@ -106,7 +106,8 @@ class StopsEvaluation final : public Evaluation {
       }
     }
     std::vector<Figure> figures = {
-        {std::string(kGroup) + ": what is placed moved at most", most, "mm"}};
+        {std::string(kGroup) + ": largest motion of a placed part", most,
+         "mm"}};
     for (const auto& [stage, num] : num_of) {
       figures.push_back({std::string(kGroup) + ": stopped at '" + stage + "'",
                          static_cast<double>(num), "stops"});

@@ -80,21 +80,21 @@ class WatchEvaluation final : public Evaluation {
     return {
         ShareOf(rows, "valid", "steps recognised with the right arguments",
                 "steps_recognised", "steps"),
-        RunsOf(rows, "valid", "runs all recognised, no false one, no alarm",
+        RunsOf(rows, "valid", "runs with all recognised, none false, no alarm",
                [](const json& row) {
                  return row.at("steps_recognised") == row.at("steps") &&
                         row.at("invented") == 0 &&
                         row.at("false_alarms") == 0 &&
                         row.at("goal_reached") == true;
                }),
-        ShareOf(rows, "taken_back", "take-backs named as the reverse",
+        ShareOf(rows, "taken_back", "take-backs recognised as the reverse",
                 "take_backs_named", "take_backs"),
         ShareOf(rows, "taken_back", "take-backs with exactly one warning",
                 "take_backs_warned", "take_backs"),
-        ShareOf(rows, "taken_back", "unknown moves named unknown",
+        ShareOf(rows, "taken_back", "unknown moves reported as unknown",
                 "moves_named", "moves"),
         RunsOf(rows, "taken_back",
-               "runs all named, no false one, no false alarm",
+               "runs with all recognised, none false, no false alarm",
                [](const json& row) {
                  return row.at("steps_recognised") == row.at("steps") &&
                         row.at("invented") == 0 && row.at("false_alarms") == 0;

@@ -110,8 +110,9 @@ class Auditor {
     if (begin > 0) {
       ReportLoss(
           0, "",
-          fmt::format("the log begins with tick {}{}", first,
-                      begin < first ? ", but for parts of earlier ones" : ""));
+          fmt::format(
+              "the log begins with tick {}{}", first,
+              begin < first ? ", except for parts of earlier ticks" : ""));
     }
     int32_t expected = begin;
     for (const auto& [tick, link] : audit_.manifests) {
@@ -121,7 +122,7 @@ class Auditor {
       }
       if (!link.entry) {
         Report(tick, kTickChannel,
-               "was lost or damaged; it follows from its messages");
+               "was lost or damaged; it was reconstructed from its messages");
       }
       expected = tick + 1;
     }
@@ -135,14 +136,16 @@ class Auditor {
 
   void ReportLostTicks(int32_t first, int32_t last) {
     if (int64_t{last} - first >= kMaxLines) {
-      ReportLoss(first, kTickChannel,
-                 fmt::format("all up to tick {} are lost: their messages are "
-                             "unproved",
-                             last));
+      ReportLoss(
+          first, kTickChannel,
+          fmt::format(
+              "all up to tick {} are lost: their messages cannot be verified",
+              last));
       return;
     }
     for (int32_t tick = first; tick <= last; ++tick) {
-      ReportLoss(tick, kTickChannel, "is lost: its messages are unproved");
+      ReportLoss(tick, kTickChannel,
+                 "is lost: its messages cannot be verified");
     }
   }
 
@@ -212,7 +215,7 @@ class Auditor {
     if (before != audit_.manifests.end() &&
         before->second.message.digest != link.tick.previous_digest) {
       Report(tick, kTickChannel,
-             fmt::format("does not follow TICK {}: one of both is damaged",
+             fmt::format("does not follow TICK {}: one of the two is damaged",
                          tick - 1));
     }
   }
@@ -258,16 +261,17 @@ class Auditor {
     }
     for (const auto& [first, last] : gaps_) {
       auto ends = sequences_.EndsIn(first, last);
-      ends.push_back("nor of any that said nothing else");
+      ends.push_back("or any sender on a channel where it sent nothing else");
       const auto beginnings = sequences_.BeginningsUpTo(last);
-      Report(first, "",
-             fmt::format(
-                 "what only TICK {}{} named is known by the next message of "
-                 "its channel and sender. There is none after: {}{}{}",
-                 first, first == last ? "" : fmt::format(" to {}", last),
-                 fmt::join(ends, ", "),
-                 beginnings.empty() ? "" : "; none known before: ",
-                 fmt::join(beginnings, ", ")));
+      Report(
+          first, "",
+          fmt::format("messages named only by TICK {}{} may be lost unnoticed "
+                      "where no later message of the same channel and sender "
+                      "follows. None follows: {}{}{}",
+                      first, first == last ? "" : fmt::format(" to {}", last),
+                      fmt::join(ends, ", "),
+                      beginnings.empty() ? "" : "; none is known before: ",
+                      fmt::join(beginnings, ", ")));
     }
   }
 
@@ -287,7 +291,7 @@ class Auditor {
       } else if (entry.message.channel != kTickChannel) {
         ReportEntry(i, "is a TICK by its type: its channel is damaged");
       } else if (*entry.message.bytes != *link->second.message.bytes) {
-        ReportEntry(i, "is not as a canonical log has it");
+        ReportEntry(i, "is not in canonical form");
       }
     }
   }

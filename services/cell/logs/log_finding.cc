@@ -55,7 +55,7 @@ std::vector<LogFinding> ByPlace(std::vector<LogFinding> findings) {
     }
     if (num_told < end - begin) {
       folded.back().text += fmt::format(
-          "; the {} events after it, up to byte {}, are odd, too",
+          "; the {} events after it, up to byte {}, have errors as well",
           end - begin - 1, findings[end - 1].offset + findings[end - 1].length);
     }
     begin = end;

@@ -30,7 +30,7 @@ std::string NumbersLostAt(const LogIndex& index,
   }
   if (next->number == from) return "";  // the event before is cut short
   if (next->number < from) {
-    return fmt::format("; the numbers begin anew with {}", next->number);
+    return fmt::format("; the numbers restart at {}", next->number);
   }
   if (next->number == from + 1) return fmt::format("; event {} is lost", from);
   return fmt::format("; events {} to {} are lost", from, next->number - 1);

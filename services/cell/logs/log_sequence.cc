@@ -42,8 +42,8 @@ bool IsAsRecorded(const LogEntry& entry) {
 std::string JumpText(int64_t number, int64_t expected) {
   return number > expected
              ? fmt::format(
-                   "its number is {}, should be {}: what came between "
-                   "is missing, or it was put here",
+                   "its number is {}, should be {}: the events between are "
+                   "missing, or it was inserted here",
                    number, expected)
              : fmt::format("its number is {}, should be {}", number, expected);
 }
@@ -84,7 +84,7 @@ std::vector<LogFinding> FindOddNumbers(const LogIndex& index,
     const bool goes_on = next != nullptr && next->number == expected;
     if (!goes_on) expected = entry.number + 1;
   }
-  return Few(std::move(findings), "others' numbers jump, too");
+  return Few(std::move(findings), "other numbers jump as well");
 }
 
 std::vector<LogFinding> FindOddStamps(const LogIndex& index,
@@ -97,21 +97,21 @@ std::vector<LogFinding> FindOddStamps(const LogIndex& index,
   for (size_t i = 1; i < entries.size(); ++i) {
     const int64_t step = entries[i].utime - entries[i - 1].utime;
     if (step < -rules.backward_us) {
-      backward.push_back(FindingAt(
-          index, i,
-          fmt::format("time runs back: it is {:.6f} s earlier than the event "
-                      "before it",
-                      -1e-6 * static_cast<double>(step))));
+      backward.push_back(
+          FindingAt(index, i,
+                    fmt::format("time runs backwards: it is {:.6f} s earlier "
+                                "than the event before it",
+                                -1e-6 * static_cast<double>(step))));
     } else if (step > silence) {
-      silences.push_back(FindingAt(
-          index, i,
-          fmt::format("nothing came for {:.3f} s before it; half of the events "
-                      "come within {:.3f} s",
-                      1e-6 * static_cast<double>(step),
-                      1e-6 * static_cast<double>(median))));
+      silences.push_back(
+          FindingAt(index, i,
+                    fmt::format("no event for {:.3f} s before it; the median "
+                                "interval is {:.3f} s",
+                                1e-6 * static_cast<double>(step),
+                                1e-6 * static_cast<double>(median))));
     }
   }
-  auto findings = Few(std::move(backward), "others are earlier, too");
+  auto findings = Few(std::move(backward), "other events are earlier as well");
   if (rules.has_silences && silences.size() <= kMaxSilences) {
     findings.insert(findings.end(), silences.begin(), silences.end());
   }

@@ -18,7 +18,7 @@ struct Viewpoint {
   std::string focus = "cell";
   int width = 1280;
   int height = 960;
-  bool is_of_ids = false;   ///< every body in a colour of its own
+  bool is_of_ids = false;   ///< give every body its own colour
   bool has_labels = false;  ///< each part that is seen has its name on it
 };
 

@@ -80,7 +80,7 @@ std::string SummaryOf(const plan_t& plan) {
 /// "seat PART at SITE"
 std::string WordsOf(const skill_request_t& request) {
   static const std::map<std::string, std::string> kWords = {
-      {"insert", "seat"}, {"present", "pass on"}};
+      {"insert", "seat"}, {"present", "hand over"}};
   const auto it = kWords.find(request.skill);
   std::string words = it == kWords.end() ? request.skill : it->second;
   std::ranges::replace(words, '_', ' ');
@@ -126,7 +126,7 @@ std::vector<std::string> Narrator::DescribeKeyFrame(const Message& message) {
   return {Line(frame->header.utime,
                fmt::format("key frame {}: {}", frame->index,
                            changes.empty()
-                               ? "as it stands"
+                               ? "no relation changed"
                                : fmt::format("{}", fmt::join(changes, "; "))))};
 }
 
@@ -177,7 +177,7 @@ std::vector<std::string> Narrator::DescribePlan(const Message& message) {
   if (summary != plan_summary_) lines.push_back(Continued(summary));
   plan_summary_ = summary;
   if (is_verbose_ && !plan->reason.empty()) {
-    lines.push_back(Continued("since " + plan->reason));
+    lines.push_back(Continued("because " + plan->reason));
   }
   if (is_verbose_ && plan->result == plan_t::FOUND) {
     lines.push_back(
@@ -219,11 +219,11 @@ std::vector<std::string> Narrator::DescribeResult(const Message& message) {
   const auto result = Decode<skill_result_t>(message);
   if (!result) return {};
   const bool is_good = result->outcome == skill_result_t::SUCCEEDED;
-  std::string what = fmt::format(
-      "the {} arm {}", result->arm,
-      is_good ? "has done it" : "has not done it: " + result->reason);
+  std::string what =
+      fmt::format("the {} arm {}", result->arm,
+                  is_good ? "succeeded" : "did not succeed: " + result->reason);
   if (result->peak_force > 0) {
-    what += fmt::format(" (seating: its wrist sensor felt at most {:.0f} N)",
+    what += fmt::format(" (peak force at its wrist sensor: {:.0f} N)",
                         result->peak_force);
   }
   return {Line(result->header.utime, what)};
@@ -239,7 +239,7 @@ std::vector<std::string> Narrator::DescribeExecution(const Message& message) {
     std::vector<std::string> lines = {
         Line(execution->header.utime, "QUESTION: " + execution->text)};
     if (is_verbose_ && !execution->formula.empty()) {
-      lines.push_back(Continued("since " + execution->formula));
+      lines.push_back(Continued("because " + execution->formula));
     }
     return lines;
   }
@@ -251,7 +251,7 @@ std::vector<std::string> Narrator::DescribeMode(const Message& message) {
   if (!mode || mode->reason == hold_reason_) return {};
   hold_reason_ = mode->reason;
   return {Line(mode->header.utime, hold_reason_.empty()
-                                       ? "the cell goes on"
+                                       ? "the cell resumes"
                                        : "HOLD: " + hold_reason_)};
 }
 

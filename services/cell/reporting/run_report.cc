@@ -55,12 +55,12 @@ bool HasWaitedInVain(const EpisodeRecord& record) {
 std::string WhyNot(const EpisodeRecord& record) {
   if (const auto why = WhyUnattended(record)) return *why;
   if (record.execution && record.execution->state == execution_t::STUCK) {
-    return "it asks: " + Printable(record.execution->text);
+    return "the robot asks: " + Printable(record.execution->text);
   }
   for (auto it = record.results.rbegin(); it != record.results.rend(); ++it) {
     if (it->outcome != skill_result_t::SUCCEEDED) return Printable(it->reason);
   }
-  return "nobody knows why";
+  return "the reason is not known";
 }
 
 std::string SummarizeExecuted(const EpisodeRecord& record,
@@ -133,7 +133,7 @@ std::string RunReport::DrawPicture(const EpisodeRecord& record,
     least = body.name;
     least_pixels = num;
   }
-  return fmt::format("{} (smallest in it: {}, {})", path.string(),
+  return fmt::format("{} (least visible: {}, {})", path.string(),
                      Printable(least), Counted(least_pixels, "pixel"));
 }
 

@@ -49,10 +49,10 @@ std::string ListOf(const std::vector<RunningDemo>& demos) {
 void CellAddress::AddTo(CLI::App& app) {
   address_.AddTo(app);
   url_option_ = app.get_option("--url");
-  app.add_option("--demo", demo_,
-                 "process number of a `cell demo` of yours, whose network is "
-                 "its own (default: the only one, where no other cell is "
-                 "heard)")
+  app.add_option(
+         "--demo", demo_,
+         "process id of one of your `cell demo` runs, each of which has its "
+         "own network (default: the only one, if no other cell is heard)")
       ->check(NumberIn(1))
       ->excludes(url_option_);
 }
@@ -68,8 +68,8 @@ LcmAddress CellAddress::Reach() const {
   if (demos.empty() || IsCellHeard(address)) return address;
   if (demos.size() > 1) {
     throw std::invalid_argument(
-        "no cell is heard on this network, and several demos of yours run; "
-        "choose one: " +
+        "no cell is heard on this network, and several of your demos are "
+        "running; choose one: " +
         ListOf(demos));
   }
   JoinDemo(demos.front().pid);
@@ -81,8 +81,8 @@ void CellAddress::JoinDemo(int pid) const {
   const auto it = std::ranges::find(demos, pid, &RunningDemo::pid);
   if (it == demos.end()) {
     throw std::invalid_argument(
-        fmt::format("--demo {}: no `cell demo` of yours has this process "
-                    "number. Those that run: {}",
+        fmt::format("--demo {}: none of your `cell demo` runs has this process "
+                    "id. Running: {}",
                     pid, ListOf(demos)));
   }
   JoinNetworkOf(pid);

@@ -18,16 +18,14 @@ std::string Explain(const ManagerFailure& failure) {
   if (failure.exit_code == kNoSuchProgram ||
       Has(output, "not been booted with systemd") ||
       (!failure.is_user && Has(output, "Failed to connect to bus"))) {
-    return "systemd does not run here (in a container it usually does not); "
-           "`cell up`, `cell status` and `cell down` work with it. Without it "
-           "a "
-           "cell runs by: cell demo";
+    return "systemd is not running here (in a container it usually is not); "
+           "`cell up`, `cell status` and `cell down` need it. To run a cell "
+           "without it: cell demo";
   }
   if (Has(output, "Failed to connect to bus")) {
-    return "this user has no systemd manager that can be reached: log in as "
-           "this user, not by su or sudo (then $XDG_RUNTIME_DIR is set), or "
-           "let "
-           "it run without a login: loginctl enable-linger USER";
+    return "this user's systemd manager cannot be reached: log in as this "
+           "user, not through su or sudo (this sets $XDG_RUNTIME_DIR), or "
+           "start it without a login: loginctl enable-linger USER";
   }
   if (Has(output, "not found") || Has(output, "not loaded")) {
     return fmt::format(
@@ -39,7 +37,7 @@ std::string Explain(const ManagerFailure& failure) {
                           Has(output, "Permission denied") ||
                           Has(output, "uthentication");
   if (is_refused && !failure.is_root) {
-    return "it takes root: sudo cell ...; or a cell of your own: --user";
+    return "this needs root: sudo cell ...; or run your own cell: --user";
   }
   return "systemctl: " + output;
 }

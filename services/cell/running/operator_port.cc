@@ -29,8 +29,9 @@ constexpr int64_t kAnswerTime = 5'000'000;
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
   options->address.AddTo(command);
   command
-      .add_option("--deadline", options->deadline_s,
-                  "not executed later than so many seconds of the cell's time")
+      .add_option(
+          "--deadline", options->deadline_s,
+          "refuse the command after this many seconds of the cell's time")
       ->check(NumberIn(0., 3600.))
       ->capture_default_str();
 }
@@ -59,10 +60,10 @@ OperatorPort::OperatorPort(const LcmAddress& address, double deadline_s,
     main_.Drain();
   }
   if (!utime_) {
-    throw std::runtime_error(fmt::format(
-        "neither TICK nor MOTION_PERMIT heard in {} s: does the cell run "
-        "(cell status), and on this --url?",
-        kMaxFirstSilenceMs / 1000));
+    throw std::runtime_error(
+        fmt::format("neither TICK nor MOTION_PERMIT heard in {} s: is the cell "
+                    "running (cell status), and on this --url?",
+                    kMaxFirstSilenceMs / 1000));
   }
 }
 
@@ -130,10 +131,10 @@ void OperatorPort::Fail() const {
                         1e-6 * static_cast<double>(deadline_utime_));
   throw std::runtime_error(
       passed_on_
-          ? fmt::format("{}: no answer from {}, and {}; does it run (cell "
-                        "status)?",
-                        command_.what, command_.service, since)
-          : fmt::format("{}: the clock has not passed on {}, and {}",
+          ? fmt::format(
+                "{}: no answer from {}, and {}; is it running (cell status)?",
+                command_.what, command_.service, since)
+          : fmt::format("{}: the clock has not forwarded {}, and {}",
                         command_.what, command_.channel, since));
 }
 

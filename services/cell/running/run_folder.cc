@@ -150,7 +150,7 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
 
 void RunFolder::Stopped() const {
   throw std::runtime_error("stopped; the log is in " + path.string() +
-                           " (cell replay tells it)");
+                           " (print it with cell replay)");
 }
 
 void RunFolder::Discard() const {

@@ -12,21 +12,20 @@ void RunOptions::AddTo(CLI::App& command) {
   command.add_option("--deploy", deploy_dir, "folder with config/ and tasks/");
   command.add_option("--demonstration", demonstration,
                      "script of the task's demonstrators.yaml");
-  command.add_option("--seed", seed, "where all chance comes from")
+  command.add_option("--seed", seed, "seed of all random numbers")
       ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command.add_option("--out", out, "run folder (default: runs/...)");
   command
       .add_option("--help-steps", help_steps,
-                  "actions of the robot that it leaves to the person beside "
-                  "it, as in the task's domain")
+                  "robot actions that are left to the person, named as in the "
+                  "task's domain")
       ->delimiter(',');
   command.add_flag("--cameras", has_cameras,
-                   "with the camera sets: their pictures reach the log");
-  command.add_flag("--hash", is_hash,
-                   "print nothing but one digest per channel");
+                   "run the camera sets and log their frames");
+  command.add_flag("--hash", is_hash, "print only one digest per channel");
   command.add_flag("--verbose", is_verbose,
-                   "tell also whole plans, and conditions as formulas");
+                   "also print whole plans, and conditions as formulas");
 }
 
 RunFolder RunOptions::CreateFolder(const std::string& kind) const {

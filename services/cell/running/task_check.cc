@@ -41,7 +41,7 @@ void CheckDemonstrators(const Config& config,
   for (const auto& [name, script] : demonstrations.scripts) {
     const Config entry = config["scripts"][name];
     if (script.num_hands > static_cast<int>(layout.hands.size())) {
-      entry["hands"].Fail(fmt::format("cell.yaml has {} hands of persons",
+      entry["hands"].Fail(fmt::format("cell.yaml has {} hands of a person",
                                       layout.hands.size()));
     }
     if (script.disturbance && layout.hands.empty()) {
@@ -85,7 +85,7 @@ void CheckHelpSteps(const Domain& domain, const Names& steps) {
   for (const std::string& step : steps) {
     if (known.contains(step)) continue;
     throw std::invalid_argument(
-        fmt::format("--help-steps {}: the robot has no action '{}', but: {}",
+        fmt::format("--help-steps {}: the robot has no action '{}'; it has: {}",
                     step, step, fmt::join(known, ", ")));
   }
 }

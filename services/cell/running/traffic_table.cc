@@ -51,7 +51,7 @@ std::string NarrowTable(const Traffic::Report& report, int columns) {
                         PrintableName(p.name, max_name), Percent(p.processor),
                         Megabytes(p.resident_bytes));
     if (p.num_lost + p.num_late + p.num_unknown_senders == 0) continue;
-    text += fmt::format(" {} lost, {} late\n {} strangers\n", p.num_lost,
+    text += fmt::format(" {} lost, {} late\n {} unknown senders\n", p.num_lost,
                         p.num_late, p.num_unknown_senders);
   }
   text += "\n";
@@ -67,10 +67,11 @@ std::string NarrowTable(const Traffic::Report& report, int columns) {
 
 std::string SilenceText(const Traffic::Report& report) {
   std::string text =
-      "no cell is heard here. Does one run (cell demo, cell up), and on this "
+      "no cell is heard here. Is one running (cell demo, cell up), and on this "
       "address (--url)?\n";
   if (report.num_foreign > 0) {
-    text += fmt::format("of no member of a cell: {}\n", report.num_foreign);
+    text +=
+        fmt::format("messages from outside a cell: {}\n", report.num_foreign);
   }
   return text;
 }
@@ -81,7 +82,7 @@ std::string TrafficTable(const Traffic::Report& report, int columns) {
   if (report.is_silent()) return SilenceText(report);
   return (columns < kWidestTable ? NarrowTable(report, columns)
                                  : WideTable(report)) +
-         fmt::format("of no member of the cell: {}\n", report.num_foreign);
+         fmt::format("messages from outside: {}\n", report.num_foreign);
 }
 
 }  // namespace cell::cli

@@ -70,7 +70,7 @@ UnitEnvironment UnitEnvironment::Parse(const std::string& text,
                                  number};
     const bool is_known = std::ranges::find(kKeys, key) != kKeys.end();
     if (key.starts_with("CELL_") && !is_known) {
-      environment.Fail(key, fmt::format("no unit knows it, but: {}",
+      environment.Fail(key, fmt::format("no unit uses it; known: {}",
                                         fmt::join(kKeys, ", ")));
     }
   }

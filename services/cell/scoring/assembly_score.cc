@@ -57,8 +57,8 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
                             const SuccessCriterion& success) {
   const int64_t elapsed = now.header.utime - earlier.header.utime;
   if (elapsed < kLeastUs) {
-    throw std::invalid_argument("two looks " + std::to_string(elapsed) +
-                                " us apart do not tell who rests");
+    throw std::invalid_argument("two snapshots " + std::to_string(elapsed) +
+                                " us apart do not tell what is at rest");
   }
   const Poses before = PosesOf(earlier), after = PosesOf(now);
   State truth(success.vocabulary.num_atoms());

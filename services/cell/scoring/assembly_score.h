@@ -21,7 +21,7 @@ struct AssemblyScore {
   bool is_complete() const { return missing.empty() && !seated.empty(); }
 };
 
-/// `earlier` and `now`: two looks at least 0.1 s apart.
+/// `earlier` and `now`: two snapshots at least 0.1 s apart.
 /// @throws std::invalid_argument if not.
 AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
                             const truth_poses_t& now,

@@ -26,7 +26,7 @@ void CheckArgument(const Config& config, const Vocabulary& vocabulary, int type,
   for (const int object : vocabulary.ObjectsOf(type)) {
     const std::string& name = NameOfObject(vocabulary, object);
     if (find(name) == nullptr) {
-      config.Fail(fmt::format("its argument {} is no {}", name, what));
+      config.Fail(fmt::format("its argument {} is not a {}", name, what));
     }
   }
 }
@@ -48,7 +48,7 @@ SuccessCriterion::Seat SeatFromConfig(const Config& config,
   const auto& types = predicate.argument_types;
   if (types.size() != (seat.site ? 1 : 2)) {
     config.Fail(fmt::format(
-        "{} has {} arguments; with `site` it should have 1, without 2",
+        "{} has {} arguments; it should have 1 with `site`, 2 without",
         predicate.name, types.size()));
   }
   CheckArgument(config, vocabulary, types[0], "part",
@@ -67,7 +67,7 @@ SuccessCriterion SuccessCriterion::FromConfig(const Config& config,
   const auto name = config.Get<std::string>("goal");
   const Goal* goal = domain.FindGoal(name);
   if (goal == nullptr) {
-    config["goal"].Fail(fmt::format("domain.yaml has no goal '{}', but: {}",
+    config["goal"].Fail(fmt::format("domain.yaml has no goal '{}'; it has: {}",
                                     name, fmt::join(GoalNames(domain), ", ")));
   }
   SuccessCriterion success{parts, domain.vocabulary(), goal->literals, {}};
@@ -81,10 +81,10 @@ SuccessCriterion SuccessCriterion::FromConfig(const Config& config,
   for (const Literal& literal : success.literals) {
     const std::string text = cell::Show(literal, {}, success.vocabulary);
     if (literal.is_static) {
-      config["goal"].Fail(text + " never changes: it is no goal");
+      config["goal"].Fail(text + " never changes: it cannot be part of a goal");
     }
     if (!success.seats.contains(literal.relation)) {
-      config["seated"].Fail("says nothing of " + text + ", which '" + name +
+      config["seated"].Fail("does not mention " + text + ", which '" + name +
                             "' wants");
     }
   }

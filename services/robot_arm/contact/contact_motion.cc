@@ -90,8 +90,8 @@ void ContactMotion::Search(const ContactState& now, double dt) {
       return stall_.Reset();
     case SpiralSearch::State::kExhausted:
       Fail(fmt::format(
-          "{} searches, as many as allowed "
-          "(search.max_spirals), have found no way in, {:.1f} mm "
+          "{} searches, the maximum allowed (search.max_spirals), found no way "
+          "in, {:.1f} mm "
           "from the seat",
           search_.max_spirals(), 1e3 * termination_->DistanceLeft(now.height)));
   }

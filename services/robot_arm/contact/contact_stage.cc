@@ -46,7 +46,7 @@ SkillStage::State ContactStage::Step(const ArmReading& reading, double dt,
   const auto q = kinematics_.JointsNear(frames_.GripperAt(motion_->PartPose()),
                                         command->q);
   if (!q) {
-    reason_ = "the way to the site leads out of reach";
+    reason_ = "the path to the site leads out of reach";
     return State::kFailed;
   }
   command->q = *q;

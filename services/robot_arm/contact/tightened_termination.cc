@@ -22,7 +22,7 @@ Termination::Verdict TightenedTermination::Judge(
     return {Outcome::kFailed,
             fmt::format("the thread has jammed {:.1f} mm from its seat: the "
                         "wrist sensor measured {} (tight.torque_nm) after "
-                        "{:.0f} deg, at least {:.0f} deg are wanted "
+                        "{:.0f} deg, at least {:.0f} deg are required "
                         "(tight.min_angle_deg)",
                         1e3 * DistanceLeft(state.height),
                         Exceeded(torque, params_.torque, "N m"),
@@ -32,7 +32,7 @@ Termination::Verdict TightenedTermination::Judge(
   return {Outcome::kFailed,
           fmt::format("it has turned by the {:.0f} deg allowed "
                       "(tight.max_angle_deg), the wrist sensor measured "
-                      "{:.2f} N m of the {:.2f} N m that mean tight "
+                      "{:.2f} N m of the {:.2f} N m required "
                       "(tight.torque_nm): the thread does not hold",
                       params_.max_angle * kDegrees, torque, params_.torque)};
 }

@@ -69,7 +69,7 @@ class Insert final : public Skill {
       return "there is no site '" + request.Argument("site") + "'";
     }
     if (!arm.poses().contains(site->host)) {
-      return "nobody knows where " + site->host + " is";
+      return "the pose of " + site->host + " is unknown";
     }
     return std::nullopt;
   }

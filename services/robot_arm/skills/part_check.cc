@@ -9,7 +9,7 @@ std::optional<std::string> WhyNoUseOf(const std::string& part, const Arm& arm) {
   if (arm.held() && arm.held()->part != part && arm.SiteOfHeld() == nullptr) {
     return "it holds " + arm.held()->part;
   }
-  if (!arm.poses().contains(part)) return "nobody knows where " + part + " is";
+  if (!arm.poses().contains(part)) return "the pose of " + part + " is unknown";
   return std::nullopt;
 }
 

@@ -51,7 +51,7 @@ std::optional<std::string> WhyNoSkill(const SkillRequest& request,
                                       bool has_force_sensor) {
   const Skill* skill = FindSkill(request.skill);
   if (skill == nullptr) {
-    return fmt::format("it has no skill '{}', but {}", request.skill,
+    return fmt::format("it has no skill '{}'; it has {}", request.skill,
                        fmt::join(NamesOf(SkillsOf(has_force_sensor)), ", "));
   }
   if (skill->traits().needs_force_sensor && !has_force_sensor) {

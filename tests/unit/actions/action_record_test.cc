@@ -76,7 +76,7 @@ TEST_F(Records, AreRefusedForAReason) {
   for (const std::string& name :
        std::vector<std::string>{"two words", "9", "_", std::string(65, 'a')}) {
     EXPECT_THAT(ReasonFor([&](auto& r) { r.name = name; }),
-                HasSubstr("its name is not a letter"));
+                HasSubstr("its name should be a letter"));
   }
   EXPECT_THAT(ReasonFor([](auto& r) { r.arguments[0].type = "cup"; }),
               HasSubstr("LayAside:arguments.X: there is no type 'cup'"));
@@ -85,7 +85,7 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_THAT(ReasonFor([](auto& r) { r.agents = {"cat"}; }),
               HasSubstr("'cat' is neither person nor robot"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.agents = {}; }),
-              HasSubstr("nobody can do it"));
+              HasSubstr("names no agent"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.undoes = "Fly"; }),
               HasSubstr("there is no action 'Fly'"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.undoes = "Raise"; }),
@@ -108,7 +108,7 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\n[a]: red"; }),
               HasSubstr("LayAside:sec: a map or a list cannot be a key"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.skill_settings = "insertion"; }),
-              HasSubstr("goes with a skill"));
+              HasSubstr("is required with a skill"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.agents = {"robot"};
                 r.skill = "{name: put_down, part: X, arm: left}";
@@ -127,13 +127,13 @@ TEST_F(Records, OfAnotherDomainOrWithoutVariablesSayWhatWouldBeRight) {
                     "moved: X\npick: {where: [HeadScrewed(head)]}\n"
                     "place: {where: [\"PegInHole(X, Y)\"]}";
               }),
-              HasSubstr("LayAside:sec.pick: says nothing of X"));
+              HasSubstr("LayAside:sec.pick: does not mention X"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.sec =
                     "moved: X\npick: {where: [Horizontal(X)]}\n"
                     "place: {where: [not Horizontal(X)]}";
               }),
-              HasSubstr("neither pick nor place speaks of Y"));
+              HasSubstr("neither pick nor place mentions Y"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.rules =
                     "- {agents: [robot], context: [], outcomes: [], "
@@ -154,13 +154,13 @@ TEST_F(Records, ReplaceTheLastOfTheirNameByTheNextVersion) {
   record.arguments[0].type = "peg";
   record.rules = "- {context: [], outcomes: [], noise: 1}";
   EXPECT_THAT(check_.WhyNot(record, known_)->reason,
-              HasSubstr("a new version keeps those of the last: head"));
+              HasSubstr("a new version must keep those of the last: head"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.version = 2; }),
               HasSubstr("the next of 'LayAside' is 1"));
   for (const int64_t version : {std::numeric_limits<int64_t>::max(),
                                 std::numeric_limits<int64_t>::min()}) {
     EXPECT_THAT(ReasonFor([&](auto& r) { r.version = version; }),
-                HasSubstr("1 to 1000000000 are kept"));
+                HasSubstr("1 to 1000000000 are allowed"));
   }
 }
 

@@ -442,7 +442,7 @@ TEST(CellCheck, RefusesWhatCannotBe) {
   EXPECT_EQ(WhyRefused("mass: 2.40", "mass: 6"),
             "cell.yaml:arms.right.tool.mass: a ur5 carries 5 kg");
   EXPECT_EQ(WhyRefused("right:\n    model: ur5", "right:\n    model: ur7"),
-            "cell.yaml:arms.right.model: there is no arm model 'ur7', but: "
+            "cell.yaml:arms.right.model: there is no arm model 'ur7'; known: "
             "ur10, ur10e, ur16e, ur3, ur3e, ur5, ur5e");
   EXPECT_EQ(
       WhyRefused("exchange: {low: [-0.20, -0.58], high: [0.26",

@@ -84,7 +84,7 @@ TEST(PathPlanner, IsAFunctionOfItsSeed) {
 
 TEST(PathPlanner, SaysWhatIsInTheWay) {
   EXPECT_EQ(PlanPath(At(0, 0), {At(1, 0)}, {}, Wall).reason(),
-            "where it stands, it would hit the wall");
+            "at the start, it would hit the wall");
   EXPECT_EQ(PlanPath(At(1, 0), {At(0, 0)}, {}, Wall).reason(),
             "at the goal, it would hit the wall");
   const auto endless = [](const Joints& q) -> std::optional<std::string> {
@@ -95,7 +95,7 @@ TEST(PathPlanner, SaysWhatIsInTheWay) {
   params.max_iterations = 100;
   const JointPath path = PlanPath(At(-1, 0), {At(1, 0)}, {}, endless, params);
   EXPECT_FALSE(path);
-  EXPECT_EQ(path.reason(), "no way around: it would hit the wall");
+  EXPECT_EQ(path.reason(), "no path around: it would hit the wall");
 }
 
 TEST(PathPlanner, CarriesAPartOverOthersInTheCell) {

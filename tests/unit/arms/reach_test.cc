@@ -64,7 +64,7 @@ TEST_F(ReachTest, SaysThatAPartIsOutOfReach) {
   scene_.PutPart("shaft", Standing(-0.34, -0.64));
   EXPECT_EQ(Grasps("right", "shaft").reason(), "out of reach");
   EXPECT_EQ(Grasps("right", "head").reason(),
-            "head is nowhere to be taken from");
+            "head has no known pose to grasp it at");
 }
 
 TEST_F(ReachTest, NamesWhatIsInTheWay) {

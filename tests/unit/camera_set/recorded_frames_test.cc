@@ -116,9 +116,9 @@ TEST_F(Recorded, NameTheFileThatIsMissing) {
 
 TEST_F(Recorded, NameTheFileOfAnotherSize) {
   WriteFrame("c", 3000, 2, 3);
-  ExpectFailure("c: is of 2 x 3 pixels, the frames before of 3 x 2");
+  ExpectFailure("c: has 2 x 3 pixels, the frames before it 3 x 2");
   WritePng(dir_ / "c.depth.png", DepthImage{3, 2, std::vector<uint16_t>(6, 1)});
-  ExpectFailure("c.depth.png: is of 3 x 2 pixels, its colour of 2 x 3");
+  ExpectFailure("c.depth.png: has 3 x 2 pixels, its colour 2 x 3");
 }
 
 TEST_F(Recorded, NameTheFileThatIsDamaged) {
@@ -170,12 +170,12 @@ TEST_F(Recorded, EveryClaimOfACloudIsChecked) {
   const std::pair<std::string, std::string> cases[] = {
       {Cloud("COUNT 1 1 1 2000000000"), "COUNT 2000000000"},
       {Cloud("COUNT 1 1 1 -1"), "COUNT '-1' is negative"},
-      {Cloud("POINTS 2000000000"), "no organised cloud"},
+      {Cloud("POINTS 2000000000"), "not an organised cloud"},
       {Cloud("WIDTH 0x3"), "WIDTH '0x3'"},
       {Cloud("WIDTH 03"), "WIDTH '03' has a leading zero"},
       {Cloud("WIDTH 99999999999999999999"), "is out of range"},
       {Cloud("WIDTH"), "WIDTH should be one number"},
-      {Cloud("HEIGHT 1"), "no organised cloud"},
+      {Cloud("HEIGHT 1"), "not an organised cloud"},
       {Cloud("SIZE 8 4 4 4"), "x is of TYPE F, SIZE 8"},
       {Cloud("TYPE U F F U"), "x is of TYPE U"},
       {Cloud("TYPE Q F F U"), "TYPE Q of SIZE 4"},
@@ -184,7 +184,7 @@ TEST_F(Recorded, EveryClaimOfACloudIsChecked) {
       {Cloud("FIELDS x y x rgb"), "has the field x twice"},
       {Cloud("FIELDS x y w rgb"), "lacks z"},
       {Cloud("FIELDS x y z w"), "lacks colour"},
-      {Cloud("DATA base64"), "DATA 'base64' is none of"},
+      {Cloud("DATA base64"), "DATA 'base64' is not one of"},
       {Cloud("", "0 0 1,5 0\n"), "line 11: z cannot be '1,5'"},
       {Cloud("", "0 0 1.5x 0\n"), "line 11: z cannot be '1.5x'"},
       {Cloud("", "0 0 1 -3\n"), "line 11: rgb cannot be '-3'"},
@@ -193,8 +193,9 @@ TEST_F(Recorded, EveryClaimOfACloudIsChecked) {
       {Cloud("", "0 0 1 0 7\n"), "line 11: has 5 values"},
       {Cloud("", "0 0 1 0\n0 0 1 0\n"), "has 2 points, its header claims 6"},
       {Cloud() + "0 0 1 0\n", "has 7 points"},
-      {Cloud("DATA binary", point), "claims 96 bytes of points, 16 are there"},
-      {Cloud("DATA binary", points + "xyz"), "has 3 bytes behind its points"},
+      {Cloud("DATA binary", point),
+       "claims 96 bytes of points, 16 are present"},
+      {Cloud("DATA binary", points + "xyz"), "has 3 bytes after its points"},
       {Cloud("DATA binary_compressed", "abc"), "cut off"},
       {Cloud("DATA binary_compressed", std::string(8, 'a')), "claims 16"},
       {Cloud("DATA binary_compressed", sizes + "abc"), "is cut off"},
@@ -242,18 +243,18 @@ TEST_F(Recorded, WhatYieldsNoMeasurementIsSaidOnceWithItsCounts) {
   }
   EXPECT_THAT(remarks[0], HasSubstr("a: none of its 6 pixels was measured"));
   EXPECT_THAT(remarks[1], HasSubstr("b.pcd: of 6 points 1 lie beyond 65.535 m "
-                                    "and 2 not before the camera"));
+                                    "and 2 not in front of the camera"));
   for (int i = 2; i < 6; ++i) EXPECT_EQ(remarks[i], "");
 }
 
 TEST_F(Recorded, APictureEndsWhereItsFileDoes) {
   std::ofstream(dir_ / "c.depth.png", std::ios::app) << "more";
-  ExpectFailure("c.depth.png: is cut off, or has bytes behind its end");
+  ExpectFailure("c.depth.png: is cut off, or has bytes after its end");
 }
 
 TEST_F(Recorded, AFrameIsThereAsACloudOrAsPictures) {
   WriteFrame("b", 1);
-  ExpectFailure("b.pcd: the same frame is there as a picture, too");
+  ExpectFailure("b.pcd: the same frame also exists as a picture");
 }
 
 TEST_F(Recorded, MisspeltKeysAreNamed) {

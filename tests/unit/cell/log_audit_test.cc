@@ -192,11 +192,12 @@ class LogAuditTest : public testing::Test {
         is_known |= is_told(flow + std::to_string(seq) + ",");
       }
       for (int32_t seq = m->seq + 1; seq < m->seq + 30; ++seq) {
-        is_known |= is_told("none known before: ") &&
+        is_known |= is_told("none is known before: ") &&
                     is_told(flow + std::to_string(seq));
       }
-      is_known |= is_told("nor of any that said nothing else") &&
-                  !IsHeardElsewhere(*m, kept);
+      is_known |=
+          is_told("or any sender on a channel where it sent nothing else") &&
+          !IsHeardElsewhere(*m, kept);
       if (!is_known) untold.push_back(id);
     }
     return untold;
@@ -315,7 +316,7 @@ TEST_F(LogAuditTest, ALostTickIsRebuiltToTheByte) {
               static_cast<size_t>(victim->size));
   const LogAudit audit = AuditOfBytes(bytes);
   EXPECT_THAT(Texts(audit), Contains(AllOf(HasSubstr("tick 30: TICK"),
-                                           HasSubstr("follows from"))));
+                                           HasSubstr("reconstructed from"))));
   EXPECT_EQ(Repaired(), EventsOf(Log()));
 }
 
@@ -588,7 +589,7 @@ TEST_F(LogAuditTest, AWholeLogBehindAnotherIsOneFinding) {
 TEST_F(LogAuditTest, NumbersThatBeginAnewBehindADamageAreNoLoss) {
   const auto texts = Texts(
       AuditOfBytes(ContentsOf(Log()) + "garbage" + Framed(0, 5, "A", "b")));
-  EXPECT_THAT(texts, Contains(HasSubstr("the numbers begin anew with 0")));
+  EXPECT_THAT(texts, Contains(HasSubstr("the numbers restart at 0")));
   EXPECT_THAT(texts, testing::Each(testing::Not(HasSubstr(" to -1 "))));
 }
 
@@ -612,7 +613,8 @@ TEST_F(ForeignLog, WhoseTimeRunsBackIsToldWhere) {
       TextsOf([](int i) { return i * 8000 - (i >= 100 ? 250'000 : 0); }),
       testing::ElementsAre(AllOf(
           HasSubstr("damaged byte 7200 (72 bytes): POSE: "),
-          HasSubstr("time runs back: it is 0.242000 s earlier than the "))));
+          HasSubstr(
+              "time runs backwards: it is 0.242000 s earlier than the "))));
 }
 
 TEST_F(ForeignLog, ThatIsSilentForLongIsToldWhere) {
@@ -620,7 +622,7 @@ TEST_F(ForeignLog, ThatIsSilentForLongIsToldWhere) {
       TextsOf([](int i) { return i * 8000 + (i >= 100 ? 60'000'000 : 0); }),
       testing::ElementsAre(
           AllOf(HasSubstr("damaged byte 7200 "),
-                HasSubstr("nothing came for 60.008 s before it"))));
+                HasSubstr("no event for 60.008 s before it"))));
   // One that speaks now and then is none the worse for it.
   EXPECT_THAT(TextsOf([](int i) { return i * 8000 + i / 10 * 5'000'000; }),
               IsEmpty());
@@ -632,9 +634,10 @@ TEST_F(ForeignLog, ThatLacksNumbersIsToldWhereOrThatItHasNone) {
   };
   EXPECT_THAT(TextsOf(utime_of, [](int i) { return i < 100 ? i : i + 7; }),
               testing::ElementsAre(
-                  HasSubstr("its number is 107, should be 100: what came")));
-  EXPECT_THAT(TextsOf(utime_of, [](int) { return 0; }),
-              testing::ElementsAre(HasSubstr("198 others' numbers jump, too")));
+                  HasSubstr("its number is 107, should be 100: the events")));
+  EXPECT_THAT(
+      TextsOf(utime_of, [](int) { return 0; }),
+      testing::ElementsAre(HasSubstr("198 other numbers jump as well")));
 }
 
 TEST_F(LogAuditTest, PartsOfLcmLoggerAreReadInTheOrderOfTheirNumbers) {

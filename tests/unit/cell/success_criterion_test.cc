@@ -73,14 +73,14 @@ TEST(SuccessCriterion, RefusesWhatItDoesNotKnowByFileAndKey) {
   ASSERT_EQ(ErrorOf("goal: ", "goal: "), "");
   EXPECT_THAT(ErrorOf("goal: assembled", "goal: asembled"),
               StartsWith("success.yaml:goal: domain.yaml has no goal "
-                         "'asembled', but: assembled, round_pegs"));
+                         "'asembled'; it has: assembled, round_pegs"));
   EXPECT_THAT(ErrorOf("  HeadScrewed:", "  HeadScrewd:"),
               StartsWith("success.yaml:seated.HeadScrewd: domain.yaml has no "
                          "predicate"));
   EXPECT_THAT(
       ErrorOf("  PegInHole: {z_mm: 0.8, xy_mm: 3, tilt_deg: 1, yaw_deg: 10}\n",
               ""),
-      StartsWith("success.yaml:seated: says nothing of PegInHole(_, "
+      StartsWith("success.yaml:seated: does not mention PegInHole(_, "
                  "base.round_1), which 'assembled' wants"));
   EXPECT_THAT(ErrorOf("site: pendulum.head", "site: pendulum.had"),
               StartsWith("success.yaml:seated.HeadScrewed.site: no part has"));

@@ -26,13 +26,13 @@ TEST(ManagerFailure, WithoutSystemdItSaysSoAndWhatRunsACellThen) {
   for (const bool is_root : {false, true}) {
     const std::string text =
         Explain({.output = kNoSystemd, .is_root = is_root});
-    EXPECT_THAT(text, AllOf(HasSubstr("systemd does not run here"),
+    EXPECT_THAT(text, AllOf(HasSubstr("systemd is not running here"),
                             HasSubstr("cell demo"), Not(HasSubstr("PID 1")),
                             Not(HasSubstr("root")), Not(HasSubstr("\n"))));
   }
   EXPECT_THAT(
       Explain({.output = "sh: 1: systemctl: not found\n", .exit_code = 127}),
-      HasSubstr("systemd does not run here"));
+      HasSubstr("systemd is not running here"));
 }
 
 TEST(ManagerFailure, AUserWithoutAManagerIsToldHowToGetOne) {
@@ -44,11 +44,11 @@ TEST(ManagerFailure, AUserWithoutAManagerIsToldHowToGetOne) {
 
 TEST(ManagerFailure, RootIsNotToldToBecomeRoot) {
   const ManagerFailure refused{.output = "Failed to start: Access denied\n"};
-  EXPECT_THAT(Explain(refused), HasSubstr("it takes root"));
+  EXPECT_THAT(Explain(refused), HasSubstr("this needs root"));
   ManagerFailure of_root = refused;
   of_root.is_root = true;
   EXPECT_THAT(Explain(of_root),
-              AllOf(HasSubstr("Access denied"), Not(HasSubstr("takes root"))));
+              AllOf(HasSubstr("Access denied"), Not(HasSubstr("needs root"))));
 }
 
 TEST(ManagerFailure, ACellThatIsNotInstalledIsToldApart) {

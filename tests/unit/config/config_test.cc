@@ -81,7 +81,7 @@ TEST(Config, SaysWhatIsNotYamlOrNotThere) {
 // What YAML allows and nobody means, each with the line that has it.
 TEST(Config, RefusesWhatAPersonDoesNotMean) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"a: 1\nb: {c: 1, c: 2}\n", "toy.yaml:b.c: the key is there already"},
+      {"a: 1\nb: {c: 1, c: 2}\n", "toy.yaml:b.c: the key already exists"},
       {"a: 1\na: 2\n", "(line 2)"},
       {"x:\n  ? [1, 2]\n  : y\n",
        "toy.yaml:x: a map or a list cannot be a key"},
@@ -91,20 +91,21 @@ TEST(Config, RefusesWhatAPersonDoesNotMean) {
        "keys out (line 3)"},
       {"x: !!int 3\n", "toy.yaml:x: tags"},
       {"x: !mine {a: 1}\n", "toy.yaml:x: tags"},
-      {"x: 1\n---\ny: 2\n", "a second document begins; one is read (line 2)"},
+      {"x: 1\n---\ny: 2\n",
+       "a second document begins; only one is allowed (line 2)"},
       {"x: 1\n...\ny: 2\n", "a second document"},
-      {"x: &a [1, *a]\n", "stands within what it stands for"},
-      {"x: &a 1\ny: &a 2\n", "the anchor &a is there already (line 2)"},
+      {"x: &a [1, *a]\n", "refers to a value that contains it"},
+      {"x: &a 1\ny: &a 2\n", "the anchor &a already exists (line 2)"},
       {"x: *a\n", "toy.yaml:1: not YAML"},
       {"~: 1\n", "a key is empty"},
-      {"x:\n  y:\n\t  z: 1\n", "a tab indents"},
+      {"x:\n  y:\n\t  z: 1\n", "indented by a tab"},
       {"x: \"a\n", "toy.yaml"},
       {"x: 'a\n", "toy.yaml"},
       {"x: [a, b\n", "toy.yaml"},
       {"", "toy.yaml: is empty"},
       {"# nothing\n", "toy.yaml: is empty"},
       {std::string("x: a\0b\n", 7), "the byte 0x00 is not text"},
-      {"x: \"\\0\"\n", "has the character 0"},
+      {"x: \"\\0\"\n", "contains the character 0"},
       {"x: 1\ny: \xff\n", "the byte 0xff is not text in UTF-8 (line 2)"},
       {"x: \xc0\xaf\n", "is not text in UTF-8"},
       {"x: \xed\xa0\x80\n", "is not text in UTF-8"},
@@ -182,9 +183,10 @@ TEST(Config, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(ErrorOf([&] { config["a"].Numbers("list", 2); }),
             "t.yaml:a.list[1]: cannot be read as a number: 'x' is not a number "
             "(line 5)");
-  EXPECT_THAT(ErrorOf([&] { config["a"].Finish(); }),
-              HasSubstr("t.yaml:a.b: not known; remove it or mend its spelling "
-                        "(line 2)"));
+  EXPECT_THAT(
+      ErrorOf([&] { config["a"].Finish(); }),
+      HasSubstr("t.yaml:a.b: not known; remove it or correct its spelling "
+                "(line 2)"));
   EXPECT_EQ(ErrorOf([&] { config["a"]["list"].Get<int>("x"); }),
             "t.yaml:a.list: should be a map with the key 'x' (line 3)");
 }

@@ -306,7 +306,7 @@ TEST_F(SqliteFile, ThatMayNotBeWrittenSaysSo) {
 
 TEST_F(SqliteFile, InAFolderThatIsNotThereSaysSo) {
   file_ = dir_ / "nowhere" / "library.db";
-  EXPECT_THAT(Complaint(), HasSubstr("are file and folder there"));
+  EXPECT_THAT(Complaint(), HasSubstr("do file and folder exist"));
 }
 
 // Schemas to come: each step keeps what was stored under the one before.

@@ -99,7 +99,7 @@ TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
     if (asked % 10 == 3 && asked > 10) {
       EXPECT_EQ(answer.outcome, stored_t::DUPLICATE);
       EXPECT_EQ(answer.id, next_id - 1);
-      EXPECT_THAT(answer.reason, HasSubstr("is there already, with id"));
+      EXPECT_THAT(answer.reason, HasSubstr("already exists, with id"));
       ++num_refused;
     } else if (asked % 10 == 7) {
       EXPECT_EQ(answer.outcome, stored_t::INVALID);

@@ -170,16 +170,17 @@ TEST(PartTable, RefusesImpossibleJointsByFileAndKey) {
                          "limits_mm: [lower, upper]"));
   EXPECT_THAT(error("[0, 90]", "[90, 0]"),
               StartsWith("parts.yaml:parts.cover.joint.limits_deg: should be "
-                         "[lower, upper], rising"));
-  EXPECT_THAT(error("[0, 90]", "[10, 90]"),
-              StartsWith("parts.yaml:parts.cover.joint.limits_deg: should hold "
-                         "0"));
+                         "[lower, upper], ascending"));
+  EXPECT_THAT(
+      error("[0, 90]", "[10, 90]"),
+      StartsWith("parts.yaml:parts.cover.joint.limits_deg: should contain "
+                 "0"));
   EXPECT_THAT(error("kind: hinge", "kind: ball"),
               StartsWith("parts.yaml:parts.cover.joint.kind: 'ball' is neither "
                          "hinge nor slide"));
   EXPECT_THAT(error("on: cube", "on: box"),
-              StartsWith("parts.yaml:parts.cover.joint.on: 'box' is no fixed "
-                         "part; fixed are: cube"));
+              StartsWith("parts.yaml:parts.cover.joint.on: 'box' is not a "
+                         "fixed part; fixed parts: cube"));
   EXPECT_THAT(error("axis: [2, 0, 0]", "axis: [0, 0, 0]"),
               StartsWith("parts.yaml:parts.cover.joint.axis"));
   EXPECT_THAT(error("    handle: {xyz: [0, -20, 0], width: 9}\n", ""),
@@ -189,7 +190,7 @@ TEST(PartTable, RefusesImpossibleJointsByFileAndKey) {
               StartsWith("parts.yaml:parts.cover.handle: lies on the axis"));
   EXPECT_THAT(error("    joint: {on: cube, xyz: [0, 0, 50]",
                     "    fixed: true\n    joint: {on: cube, xyz: [0, 0, 50]"),
-              StartsWith("parts.yaml:parts.cover.joint: a part that is fixed"));
+              StartsWith("parts.yaml:parts.cover.joint: a fixed part"));
   EXPECT_THAT(error(" friction: 1,", ""),
               StartsWith("parts.yaml:parts.cover.joint.friction: missing"));
 }

@@ -106,7 +106,8 @@ TEST_F(Deciding, AnEpisodeOfWhichTheStartWasLostIsTakenUp) {
 }
 
 TEST_F(Deciding, RefusesAGoalThatIsNotThereAndAnyWithoutAnEpisode) {
-  EXPECT_THAT(maker_.SetGoal("one").reason(), HasSubstr("no episode runs"));
+  EXPECT_THAT(maker_.SetGoal("one").reason(),
+              HasSubstr("no episode is running"));
   Begin("person");
   EXPECT_THAT(maker_.SetGoal("two").reason(),
               HasSubstr("no goal 'two'; known: done, one"));

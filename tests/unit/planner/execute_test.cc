@@ -269,7 +269,7 @@ TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
   ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
   EXPECT_EQ(told_.back().text,
             "the right arm has tried 3 times to do Close(lid), and failed: the "
-            "lid is bent; please do it yourself, or remove what hinders it");
+            "lid is bent; please do it yourself, or remove what prevents it");
   // The person bends it straight, which no predicate says.
   DoneAction moved{0, now_.utime, 0, 0, {Object("lid")}, "moving lid"};
   moved.pick_utime = now_.utime - 1;
@@ -338,7 +338,7 @@ TEST_F(Bench, AnArmThatCannotGoFreeIsAskedForTheNextActionAllTheSame) {
   for (int i = 0; i < 3; ++i) {
     Step(10);
     EXPECT_THAT(TakeAsked(), ElementsAre("right: go free"));
-    Fail("right", "nobody knows what it holds");
+    Fail("right", "what it holds is unknown");
   }
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
@@ -396,7 +396,7 @@ TEST_F(Bench, AnArmThatIsDeafEndsInAQuestion) {
   Step(300);
   EXPECT_EQ(std::ranges::count(TakeAsked(), "right: insert lid at top"), 3);
   ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
-  EXPECT_THAT(told_.back().text, HasSubstr("the arm began anew"));
+  EXPECT_THAT(told_.back().text, HasSubstr("the arm restarted"));
 }
 
 TEST_F(Bench, ASlowArmIsWaitedFor) {

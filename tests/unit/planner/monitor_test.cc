@@ -198,7 +198,7 @@ TEST_F(Watched, APartOutOfReachIsAnErrorWithItsReason) {
   ASSERT_EQ(alerts_.size(), 1u);
   EXPECT_EQ(alerts_[0].cause, Alert::Cause::kNoPlan);
   EXPECT_THAT(alerts_[0].text,
-              HasSubstr("; please see to it that Clear(shaft)"));
+              HasSubstr("; please make sure that Clear(shaft)"));
   EXPECT_EQ(alerts_[0].utime, frame_ * 1000);
   // Back within reach: the way is no longer than it was.
   Sense(state_);

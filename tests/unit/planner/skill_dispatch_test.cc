@@ -155,7 +155,7 @@ TEST_F(Dispatch, ARequestThatAnIdleArmHasForgottenIsLost) {
   Report();
   const auto lost = dispatch_.EndLostRequests();
   ASSERT_THAT(lost, SizeIs(1));
-  EXPECT_EQ(lost[0].reason, "the arm began anew and knows nothing of it");
+  EXPECT_EQ(lost[0].reason, "the arm restarted and lost the request");
   EXPECT_TRUE(dispatch_.HasArmToFree());
   EXPECT_EQ(dispatch_.failures().Of(insert_)->count, 1);
 }

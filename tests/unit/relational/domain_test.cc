@@ -231,11 +231,11 @@ TEST(Domain, ErrorsNameFileAndKey) {
   EXPECT_THAT(ErrorWith("crate: box", "crate: bx"),
               StartsWith("d.yaml:types.crate: the parent 'bx'"));
   EXPECT_THAT(ErrorWith("thing: object", "thing: crate"),
-              HasSubstr("is above itself"));
+              HasSubstr("is its own ancestor"));
   EXPECT_THAT(ErrorWith("b1: box", "b1: bx"),
               StartsWith("d.yaml:constants.b1"));
   EXPECT_THAT(ErrorWith("[[p1, p2]]", "[[p1, b1]]"),
-              HasSubstr("'b1' is no place"));
+              HasSubstr("'b1' is not a place"));
   EXPECT_THAT(ErrorWith("arguments: [box]", "arguments: [bx]"),
               StartsWith("d.yaml:predicates.Open.arguments: there is no type"));
   EXPECT_THAT(ErrorWith("not Open(X)", "not Opn(X)"),
@@ -253,11 +253,11 @@ TEST(Domain, ErrorsNameFileAndKey) {
   EXPECT_THAT(ErrorWith("probability: 0.75", "probability: 0.7"),
               HasSubstr("it must be 1"));
   EXPECT_THAT(ErrorWith("\"not At(X, Z)\"", "\"not At(X, Y)\""),
-              HasSubstr("says the opposite"));
+              HasSubstr("contradicts another effect"));
   EXPECT_THAT(ErrorWith("\"not At(X, Z)\"", "\"near(Y, Z)\""),
               HasSubstr("static"));
   EXPECT_THAT(ErrorWith("then: [Open(U)]", "then: [Open(_)]"),
-              HasSubstr("names its objects"));
+              HasSubstr("must name its objects"));
   EXPECT_THAT(ErrorWith("undoes: Move", "undoes: Mve"),
               HasSubstr("there is no action 'Mve'"));
   EXPECT_THAT(ErrorWith("agents: [robot]", "agents: [cat]"),
@@ -368,7 +368,7 @@ TEST(DomainOfRobots, RefusesWhatNoArmCouldDo) {
   EXPECT_THAT(ErrorOfRobots("arm: right}", "arm: right, speed: 1}"),
               HasSubstr("actions.Put.skill.speed: there is no object"));
   EXPECT_THAT(ErrorOfRobots("agents: [robot]", "agents: [person]"),
-              HasSubstr("skill: the robot is none of the action's agents"));
+              HasSubstr("skill: the robot is not one of the action's agents"));
   EXPECT_THAT(ErrorOfRobots("reported: held", "reported: felt"),
               HasSubstr("'felt' is neither held nor reachable"));
   EXPECT_THAT(ErrorOfRobots("[box], geometry: {deep: 1}",

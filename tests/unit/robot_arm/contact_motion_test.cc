@@ -107,8 +107,8 @@ TEST(InsertionMotion, SaysThatNoSearchHasFoundTheWayIn) {
   ContactMotion motion = MakeInsertion(params, 0.03);
   EXPECT_EQ(Insert(motion, {{0.01, 0}}).state, State::kFailed);
   EXPECT_EQ(motion.reason(),
-            "2 searches, as many as allowed (search.max_spirals), have found "
-            "no way in, 20.0 mm from the seat");
+            "2 searches, the maximum allowed (search.max_spirals), found no "
+            "way in, 20.0 mm from the seat");
 }
 
 TEST(InsertionMotion, EndsAtTheLimitsOfForceAndTime) {

@@ -126,18 +126,21 @@ TEST(TightenedTermination, IsDoneByTorqueEitherWayWhenItHasTurnedEnough) {
 TEST(TightenedTermination, CallsAThreadThatIsTightTooEarlyJammed) {
   const auto verdict = TightenedTermination({}).Judge(Turned(1, -0.5));
   EXPECT_EQ(verdict.outcome, Outcome::kFailed);
-  EXPECT_EQ(verdict.reason,
-            "the thread has jammed 2.0 mm from its seat: the wrist sensor "
-            "measured 0.5 N m, more than the 0.4 N m allowed (tight.torque_nm) "
-            "after 57 deg, at least 258 deg are wanted (tight.min_angle_deg)");
+  EXPECT_EQ(
+      verdict.reason,
+      "the thread has jammed 2.0 mm from its seat: the wrist sensor "
+      "measured 0.5 N m, more than the 0.4 N m allowed (tight.torque_nm) "
+      "after 57 deg, at least 258 deg are required (tight.min_angle_deg)");
 }
 
 TEST(TightenedTermination, CallsAThreadThatIsNeverTightLoose) {
   const auto verdict = TightenedTermination({}).Judge(Turned(8.5, 0.1));
   EXPECT_EQ(verdict.outcome, Outcome::kFailed);
-  EXPECT_THAT(verdict.reason, HasSubstr("0.10 N m of the 0.40 N m that mean "
-                                        "tight (tight.torque_nm): the thread "
-                                        "does not hold"));
+  EXPECT_THAT(
+      verdict.reason,
+      HasSubstr(
+          "0.10 N m of the 0.40 N m required (tight.torque_nm): the thread "
+          "does not hold"));
 }
 
 TEST(ContactLimits, SayWhichOneIsExceeded) {

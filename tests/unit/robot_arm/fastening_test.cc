@@ -207,7 +207,7 @@ TEST_F(ArmThatHoldsTheHead, StaysWhereItIsWhileNobodySeesTheHead) {
   Ask("go_free", {});
   ASSERT_EQ(results_.size(), 1u);
   EXPECT_EQ(results_[0].outcome, skill_result_t::REFUSED);
-  EXPECT_EQ(results_[0].reason, "nobody knows where head is");
+  EXPECT_EQ(results_[0].reason, "the pose of head is unknown");
 }
 
 }  // namespace

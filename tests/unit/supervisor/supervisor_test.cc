@@ -454,11 +454,12 @@ TEST(StopPolicy, PassesOverThoseThatDoNotTakePart) {
 }
 
 TEST(StopPolicy, RefusesUnknownWordsAndKeys) {
-  EXPECT_THAT(ErrorOf("at_boundary", "soon"), HasSubstr("'soon' is none of"));
+  EXPECT_THAT(ErrorOf("at_boundary", "soon"),
+              HasSubstr("'soon' is not one of"));
   EXPECT_THAT(ErrorOf("level: error", "level: bad"),
-              HasSubstr("'bad' is none of"));
+              HasSubstr("'bad' is not one of"));
   EXPECT_THAT(ErrorOf("operator_hold: at_once", "operator_hold: alert_only"),
-              HasSubstr("must hold"));
+              HasSubstr("must stop the arms"));
   EXPECT_THAT(ErrorOf("silence_ms: 250", "silence_s: 250"),
               HasSubstr("silence_s: not known"));
   EXPECT_THAT(ErrorOf("silence_ms: 1200", "silence_ms: 0"),
