@@ -9,6 +9,7 @@
 #include "common/bus/live_log.h"
 #include "common/bus/run_log.h"
 #include "common/node/cell_files.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/logs/canonical_log.h"
@@ -93,7 +94,9 @@ int CheckLive(const LogOptions& options) {
   std::cout << fmt::format(
       "{}: log of a live cell, {} service starts\n{}\n", Printable(options.log),
       log.incarnations().size(),
-      problems.empty() ? "whole" : Counted(static_cast<int64_t>(problems.size()), "finding"));
+      problems.empty()
+          ? "whole"
+          : Counted(static_cast<int64_t>(problems.size()), "finding"));
   return problems.empty() ? 0 : 1;
 }
 
