@@ -266,7 +266,7 @@ TEST_F(Records, AreReadStrictlyFromJson) {
   EXPECT_EQ(complaint("\"id\"", "\"id\""), "");
   EXPECT_THAT(complaint("{", ""), HasSubstr("a.json: is not JSON"));
   EXPECT_THAT(complaint("\"version\": 2", "\"version\": 3"),
-              HasSubstr("a.json.version: is not 1 to 2"));
+              HasSubstr("a.json.version: is not a known version, 1 to 2"));
   EXPECT_THAT(complaint("actions of a cell", "recipes"),
               HasSubstr("a.json.format: should be"));
   EXPECT_THAT(complaint("\"id\": 0", "\"id\": 0.5"),

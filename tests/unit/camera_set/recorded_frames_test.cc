@@ -108,7 +108,7 @@ TEST_F(Recorded, NameTheFileThatIsMissing) {
   fs::remove(dir_ / "camera.yaml");
   ExpectFailure("camera.yaml");
   fs::remove_all(dir_);
-  ExpectFailure("is no folder");
+  ExpectFailure("is not a folder");
   fs::create_directories(dir_);
   Write("camera.yaml", "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1}");
   ExpectFailure("holds no frame");

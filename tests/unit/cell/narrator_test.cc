@@ -93,7 +93,7 @@ TEST(Narrator, TellsTheFormulaOfAQuestionOnRequestOnly) {
   ASSERT_THAT(lines, SizeIs(1));
   EXPECT_THAT(lines[0], HasSubstr("QUESTION: please put the shaft back"));
   EXPECT_THAT(verbose.Describe(MessageOf("EXECUTION", execution))[1],
-              HasSubstr("since Free(base.shaft) is false"));
+              HasSubstr("because Free(base.shaft) is false"));
 }
 
 }  // namespace

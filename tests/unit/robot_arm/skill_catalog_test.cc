@@ -31,7 +31,7 @@ TEST(SkillCatalog, AnArmWithoutForceSensorHasAllButWhatNeedsOne) {
 
 TEST(SkillCatalog, ASkillThatItHasNotIsRefusedWithThoseThatItHas) {
   const std::string why = WhyNot({1, "open_door", {}}, false);
-  EXPECT_THAT(why, HasSubstr("no skill 'open_door', but present, put_down"));
+  EXPECT_THAT(why, HasSubstr("no skill 'open_door'; it has present, put_down"));
   EXPECT_THAT(why, testing::Not(HasSubstr("insert")));
 }
 
