@@ -208,7 +208,7 @@ TEST_F(Doctor, CountsTheTypesItDoesNotName) {
       Examine("for t in lcmtypes/*; do echo >> $t; done", false);
   ASSERT_EQ(visit.with_fault.size(), 1u) << visit.output;
   EXPECT_THAT(visit.with_fault.front(),
-              AllOf(HasSubstr("others are ack_t.lcm, "), HasSubstr(" more. ")));
+              AllOf(HasSubstr("different: ack_t.lcm, "), HasSubstr(" more. ")));
   EXPECT_LT(visit.with_fault.front().size(), 600u);
 }
 

@@ -18,7 +18,7 @@ namespace {
 using Colour = std::array<uint8_t, 3>;
 
 constexpr Colour kInk = {20, 20, 20};
-constexpr Colour kBackground = {250, 250, 240};
+constexpr Colour kBackground = {250, 250, 250};
 constexpr int kMargin = 2;  // of the background, before scaling
 
 /// The corners of a rectangle that the font is made of, as it writes them.
