@@ -49,8 +49,8 @@ std::string WordsFor(const GroundAction& action, const RuleSet& rules,
   return words.value_or("do " + rules.Show(action));
 }
 
-/// "remove what is in hole_1"; without words of the domain "see to it
-/// that Free(hole_1)".
+/// "remove what is in hole_1"; without words of the domain "make
+/// sure that Free(hole_1)".
 std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                      const RequestWords& requests) {
   const bool is_true = change.truth == Truth::kTrue;

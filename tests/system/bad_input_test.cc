@@ -70,7 +70,6 @@ INSTANTIATE_TEST_SUITE_P(
                     NumberOption{"view x", "--at", false},
                     NumberOption{"view x", "--azimuth", false, true},
                     NumberOption{"view x", "--elevation", false},
-                    NumberOption{"view x", "--elevation", false},
                     NumberOption{"vtb", "--seed"},
                     NumberOption{"vtb", "--giveup", false}));
 
