@@ -16,7 +16,7 @@ namespace cell {
 /// neither block the true ones nor make this grow without bound. Pure.
 class Arrivals {
  public:
-  /// `num_services` in the roster: other senders are unknown senders.
+  /// `num_services` in the roster: other senders are unknown.
   explicit Arrivals(size_t num_services) : num_services_(num_services) {}
 
   /// True if `message` is to be handled: the next of its sender on its channel,

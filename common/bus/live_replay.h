@@ -17,7 +17,7 @@ struct LiveReplayResult {
   int num_incarnations = 0;  ///< in the log
   /// First thing that differs, with tick and channel.
   std::optional<std::string> difference;
-  /// What the log lacks, so that the rest of a incarnation cannot be
+  /// What the log lacks, so that the rest of an incarnation cannot be
   /// recomputed.
   std::vector<std::string> gaps;
   int64_t num_unrecorded = 0;  ///< recomputed, but the log lacks them

@@ -21,7 +21,7 @@ namespace {
                   path.string(), what, std::strerror(errno)));
 }
 
-// Holds the folder's lock while it incarnations.
+// Holds the folder's lock as long as it lives.
 class Lock {
  public:
   explicit Lock(const std::filesystem::path& path)

@@ -8,8 +8,9 @@
 
 namespace cell {
 
-Roster Roster::FromConfig(const Config& config) {
+Roster Roster::FromConfig(const Config& config, const std::string& option) {
   Roster roster;
+  bool has_option = option.empty();
   roster.task = config.Get<std::string>("task");
   std::set<std::string> names;
   for (const Config& item : config["services"].Items()) {
@@ -19,9 +20,12 @@ Roster Roster::FromConfig(const Config& config) {
       item.Fail("'" + entry.name + "' is listed twice");
     }
     if (item.Has("option")) {
-      item.Get<std::string>("option");
-      roster.absent.push_back(std::move(entry.name));
-      continue;
+      const bool is_asked = item.Get<std::string>("option") == option;
+      has_option |= is_asked;
+      if (!is_asked) {
+        roster.absent.push_back(std::move(entry.name));
+        continue;
+      }
     }
     if (roster.entries.empty() && entry.latency != 1) {
       item.Fail("the clock comes first and answers within its tick: latency 1");
@@ -29,6 +33,9 @@ Roster Roster::FromConfig(const Config& config) {
     roster.entries.push_back(std::move(entry));
   }
   if (roster.entries.empty()) config["services"].Fail("names no service");
+  if (!has_option) {
+    config["services"].Fail("has no service with the option " + option);
+  }
   config.Finish();
   return roster;
 }
@@ -43,10 +50,9 @@ std::optional<size_t> Roster::IndexOf(const std::string& name) const {
 size_t Roster::RequireIndexOf(const std::string& name) const {
   const auto index = IndexOf(name);
   if (!index) {
-    std::vector<std::string> names;
-    for (const Entry& entry : entries) names.push_back(entry.name);
-    throw std::invalid_argument("'" + name + "' is not in the roster" +
-                                NamesInstead(name, names));
+    throw std::invalid_argument(
+        "'" + name + "' is not in the roster" +
+        NamesInstead(name, NamesIn(entries, &Entry::name)));
   }
   return *index;
 }

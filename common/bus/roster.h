@@ -27,8 +27,11 @@ struct Roster {
   /// Of those who may speak, whether they take part in this run or another.
   size_t NumListed() const { return entries.size() + absent.size(); }
 
-  /// @throws ConfigError, also for duplicate names and an empty roster.
-  static Roster FromConfig(const Config& config);
+  /// With those of this `option`; empty: none that has one.
+  /// @throws ConfigError, also for duplicate names, an empty roster and an
+  /// option that no service has.
+  static Roster FromConfig(const Config& config,
+                           const std::string& option = "");
 
   std::optional<size_t> IndexOf(const std::string& name) const;
   /// @throws std::invalid_argument naming the service if it is not there.
@@ -37,7 +40,7 @@ struct Roster {
 
 inline constexpr int32_t kMaxServices = 1000;
 
-/// A life's sender id.
+/// An incarnation's sender id.
 constexpr int32_t SenderOf(size_t index, int32_t incarnation) {
   return static_cast<int32_t>(index) + kMaxServices * incarnation;
 }

@@ -108,7 +108,7 @@ class Stepper final : public Bus {
   std::optional<int32_t> end_tick_;
 };
 
-/// For a incarnation of the roster's service at `index`.
+/// For an incarnation of the roster's service at `index`.
 inline Stepper::Params StepperParams(const Roster& roster, size_t index,
                                      int32_t sender) {
   const Roster::Entry& entry = roster.entries[index];

@@ -64,13 +64,6 @@ std::map<std::string, std::string> LoadTemplates(
   return templates;
 }
 
-template <class Named>
-std::vector<std::string> NamesOf(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const Named& named : all) names.push_back(named.name);
-  return names;
-}
-
 }  // namespace
 
 RequestWords RequestWords::FromConfig(const Config& config,
@@ -79,7 +72,7 @@ RequestWords RequestWords::FromConfig(const Config& config,
   RequestWords words;
   if (!config.Has("requests")) return words;
   const Config section = config["requests"];
-  const auto predicates = NamesOf(vocabulary.predicates());
+  const auto predicates = NamesIn(vocabulary.predicates(), &Predicate::name);
   const auto arity = [&](size_t i) {
     return vocabulary.predicates()[i].argument_types.size();
   };
@@ -88,7 +81,7 @@ RequestWords RequestWords::FromConfig(const Config& config,
   words.make_false_ =
       LoadTemplates(section, "make_false", "predicate", predicates, arity);
   words.do_ =
-      LoadTemplates(section, "do", "action", NamesOf(actions),
+      LoadTemplates(section, "do", "action", NamesIn(actions, &Action::name),
                     [&](size_t i) { return actions[i].arguments.size(); });
   return words;
 }

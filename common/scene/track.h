@@ -30,7 +30,7 @@ struct Tracks {
   const Track* Find(const std::string& name) const;
 };
 
-/// Nothing unless every track is of somebody in the scene_objects, of the right
+/// Nothing unless every track is of an object of the scene, of the right
 /// kind, in the order of names, with a known state and finite numbers.
 std::optional<Tracks> TracksFromMessage(const tracks_t& message,
                                         const SceneObjects& scene_objects);

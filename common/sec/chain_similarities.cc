@@ -1,18 +1,37 @@
 #include "common/sec/chain_similarities.h"
 
+#include <map>
+
 #include "common/sec/same_pair_similarity.h"
 #include "common/sec/same_row_similarity.h"
+#include "common/text/nearest.h"
 
 namespace cell {
+namespace {
+
+using Maker = std::unique_ptr<ChainSimilarity> (*)();
+
+template <class Similarity>
+std::unique_ptr<ChainSimilarity> Make() {
+  return std::make_unique<Similarity>();
+}
+
+const std::map<std::string, Maker>& Makers() {
+  static const std::map<std::string, Maker> makers = {
+      {"same_pair", Make<SamePairSimilarity>},
+      {"same_row", Make<SameRowSimilarity>}};
+  return makers;
+}
+
+}  // namespace
 
 std::vector<std::string> ChainSimilarityNames() {
-  return {"same_pair", "same_row"};
+  return KeysOf(Makers());
 }
 
 std::unique_ptr<ChainSimilarity> MakeChainSimilarity(const std::string& name) {
-  if (name == "same_pair") return std::make_unique<SamePairSimilarity>();
-  if (name == "same_row") return std::make_unique<SameRowSimilarity>();
-  return nullptr;
+  const auto it = Makers().find(name);
+  return it == Makers().end() ? nullptr : it->second();
 }
 
 }  // namespace cell

@@ -1,10 +1,28 @@
 #pragma once
 
+#include <functional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace cell {
+
+/// What `name_of` says of each, in their order.
+template <std::ranges::input_range Range, class NameOf = std::identity>
+std::vector<std::string> NamesIn(const Range& range, NameOf name_of = {}) {
+  std::vector<std::string> names;
+  for (const auto& element : range) {
+    names.emplace_back(std::invoke(name_of, element));
+  }
+  return names;
+}
+
+/// The names that a map's entries go by, in its order.
+template <class Map>
+std::vector<std::string> KeysOf(const Map& map) {
+  return NamesIn(map, &Map::value_type::first);
+}
 
 /// The one of `names` that `name` was probably meant to be: the fewest letters
 /// to add, drop, change or swap, at most a third of them; empty if none is so

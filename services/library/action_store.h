@@ -18,6 +18,11 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a StoreError says of a file that another process has locked.
+inline constexpr char kOwnedByAnother[] =
+    "another process owns it; end that one first (a cell that runs owns its "
+    "library)";
+
 /// Keeps action records; ids ascend in the order of storing. A record of a
 /// higher version replaces those of its name. What was stored in a run carries
 /// its tick, so that a service that comes back can forget what nobody was told

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "services/library/action_store.h"
+
 namespace cell::library {
 namespace {
 
@@ -37,11 +39,7 @@ void RequireNoOwner(const fs::path& file) {
   const bool is_owned =
       fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
   close(descriptor);
-  if (is_owned) {
-    Fail(file,
-         "another process owns it; end that one first (a cell that runs owns "
-         "its library)");
-  }
+  if (is_owned) Fail(file, kOwnedByAnother);
 }
 
 void CopyInto(const fs::path& from, const fs::path& to) {

@@ -34,8 +34,7 @@ std::string WhatToDo(const SQLite::Exception& e) {
                          e.what());
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return "another process owns it; end that one first (a cell that runs "
-             "owns its library)";
+      return kOwnedByAnother;
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:

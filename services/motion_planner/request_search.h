@@ -40,8 +40,8 @@ class RequestSearch {
   const MotionSearch::Params& params_;
   const MotionRequest& request_;
   ArmScene scene_;
-  std::optional<ArmScene>
-      later_;  ///< others have gone home; nothing: are there
+  /// With the other arms at home; nothing if they are there.
+  std::optional<ArmScene> later_;
   const ArmLayout& arm_;
   const MotionRequest::Arm& state_;  ///< of it
   ReachParams reach_;

@@ -92,9 +92,8 @@ const Goal* DecisionMaker::FindGoal(const std::string& name) const {
 }
 
 std::string DecisionMaker::NoGoal(const std::string& name) const {
-  std::vector<std::string> names;
-  for (const Goal& known : params_.goals) names.push_back(known.name);
-  return "The task has no goal '" + name + "'" + NamesInstead(name, names);
+  return "The task has no goal '" + name + "'" +
+         NamesInstead(name, NamesIn(params_.goals, &Goal::name));
 }
 
 }  // namespace cell::planner

@@ -113,11 +113,11 @@ std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
 }
 
 std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
-  struct Candidate {
+  struct RankedStep {
     PlanStep step;
     double probability;  // of reaching the goal
   };
-  std::vector<Candidate> candidates;
+  std::vector<RankedStep> ranked;
   for (const StateSpace::Candidate& candidate : space_.candidates(state)) {
     const ValueIteration::Value value = values_.Of(candidate, state);
     double likeliest = 0;
@@ -126,22 +126,20 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
       likeliest = std::max(likeliest, move.probability);
     }
     if (likeliest == 0) continue;
-    candidates.push_back({{space_.actions()[candidate.action], likeliest,
-                           Rounded(value.expected_actions)},
-                          Rounded(value.probability)});
+    ranked.push_back({{space_.actions()[candidate.action], likeliest,
+                       Rounded(value.expected_actions)},
+                      Rounded(value.probability)});
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) {
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const RankedStep& a, const RankedStep& b) {
                      if (a.probability != b.probability) {
                        return a.probability > b.probability;
                      }
                      return a.step.expected_actions < b.step.expected_actions;
                    });
   std::vector<PlanStep> next;
-  next.reserve(candidates.size());
-  for (Candidate& candidate : candidates) {
-    next.push_back(std::move(candidate.step));
-  }
+  next.reserve(ranked.size());
+  for (RankedStep& step : ranked) next.push_back(std::move(step.step));
   return next;
 }
 

@@ -80,6 +80,7 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
     : bus_(bus),
       params_(params),
       name_(params.worker.arm),
+      suffix_(ChannelSuffix(name_)),
       skills_(TraitsOf(*params.worker.layout.FindArm(name_))),
       worker_(std::make_unique<ArmWorker>(params_.worker)),
       alerts_(bus) {
@@ -101,13 +102,13 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
         },
         1);
     if (arm.name == name_) {
-      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + ChannelSuffix(name_),
+      bus_.Subscribe<arm_stop_t>("ARM_STOP_" + suffix_,
                                  [this](const auto& m) { return OnStop(m); });
     }
     if (arm.name == name_ && arm.X_FS) {
       bus.Subscribe<wrench_t>(
-          "WRENCH_" + ChannelSuffix(name_),
-          [this](const auto& m) { return OnWrench(m); }, 1);
+          "WRENCH_" + suffix_, [this](const auto& m) { return OnWrench(m); },
+          1);
     }
   }
   bus.Every(1, 0, [this] { OnTick(); });
@@ -131,8 +132,7 @@ const ArmModel& RobotArm::ModelOf(const std::string& arm) const {
 bool RobotArm::OnState(const arm_state_t& message) {
   auto reading = FromMessage(message, ModelOf(name_));
   if (!reading) {
-    return alerts_.Reject("ARM_STATE_" + ChannelSuffix(name_),
-                          reading.reason());
+    return alerts_.Reject("ARM_STATE_" + suffix_, reading.reason());
   }
   reading_ = *std::move(reading);
   if (!reading_->is_stopped) why_stopped_ = "its device gave no reason";
@@ -267,7 +267,7 @@ void RobotArm::PublishSetpoint(const ArmCommand& command) {
   const bool is_held = Permission() == ArmWorker::MotionPermission::kFreeze;
   message.clear_stop = reading_->is_stopped && was_held_ && !is_held;
   if (is_held || !reading_->is_stopped) was_held_ = is_held;
-  bus_.Publish("ARM_SETPOINT_" + ChannelSuffix(name_), message);
+  bus_.Publish("ARM_SETPOINT_" + suffix_, message);
 }
 
 void RobotArm::PublishResult(const SkillResult& result) {
@@ -297,7 +297,7 @@ void RobotArm::PublishReport() {
   report.num_skills = static_cast<int32_t>(report.skills.size());
   if (bus_.tick() % kReportPeriod != 0 && IsSame(report, last_report_)) return;
   last_report_ = report;
-  bus_.Publish("ARM_REPORT_" + ChannelSuffix(name_), report);
+  bus_.Publish("ARM_REPORT_" + suffix_, report);
 }
 
 std::unique_ptr<Service> MakeRobotArm(Bus& bus, const Deployment& deployment,

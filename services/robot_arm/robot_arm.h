@@ -63,7 +63,7 @@ class RobotArm final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
-  std::string name_;
+  std::string name_, suffix_;  // suffix_: of its channels
   std::vector<skill_traits_t> skills_;
   std::unique_ptr<ArmWorker> worker_;   // of the episode
   std::optional<int64_t> start_utime_;  // of its work

@@ -20,7 +20,7 @@ namespace cell::vtb {
 class Demonstrator {
  public:
   /// Scatters the parts of `world` and stands ready.
-  /// @throws std::invalid_argument if the demonstrations has no such script.
+  /// @throws std::invalid_argument if there is no such script.
   Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
                const std::string& script, uint64_t seed, World& world);
 

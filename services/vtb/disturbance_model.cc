@@ -129,7 +129,7 @@ bool DisturbanceModel::PlaceSomething(const World& world) {
     taken.insert(taken.end(), fits.begin(), fits.end());
   }
   if (taken.empty()) return false;
-  std::vector<Placement> wishes;
+  std::vector<Placement> possible;
   const std::vector<std::string> loose = LooseParts(world);
   for (const auto& [name, rule] : demonstrations_->rules) {
     if (!IsReady(rule, world) ||
@@ -140,14 +140,14 @@ bool DisturbanceModel::PlaceSomething(const World& world) {
       if (PartAt(site, rule, world) != nullptr) return;
       for (const std::string& part : loose) {
         if (world.table().Find(part)->type == rule.part_type) {
-          wishes.push_back({part, site.name});
+          possible.push_back({part, site.name});
         }
       }
     });
   }
-  if (wishes.empty()) return false;
-  return Place(wishes[std::uniform_int_distribution<size_t>(
-                   0, wishes.size() - 1)(random_)],
+  if (possible.empty()) return false;
+  return Place(possible[std::uniform_int_distribution<size_t>(
+                   0, possible.size() - 1)(random_)],
                world);
 }
 

@@ -29,7 +29,7 @@ struct HandState {
   int num_tries = 0;                  ///< to insert it
   std::vector<std::string> failures;  ///< parts that did not seat, or move
 
-  /// A factor by which a speed differs from the human_motion's.
+  /// A factor by which a speed differs from the configured one.
   double Spread(std::mt19937_64& random) const;
 };
 

@@ -209,14 +209,12 @@ void CheckScript(const Config& config, const Script& script,
 
 std::vector<std::string> LoadDefault(const Config& config,
                                      const Demonstrations& demonstrations) {
-  std::vector<std::string> names, known;
-  for (const auto& [script, entry] : demonstrations.scripts)
-    known.push_back(script);
+  std::vector<std::string> names;
   for (const Config& item : config.Items()) {
     names.push_back(item.As<std::string>());
     if (!demonstrations.scripts.contains(names.back())) {
       item.Fail("no script is named '" + names.back() + "'" +
-                NamesInstead(names.back(), known));
+                NamesInstead(names.back(), KeysOf(demonstrations.scripts)));
     }
   }
   if (names.empty()) config.Fail("names no script");

@@ -32,7 +32,7 @@ class Vtb : public Service {
  public:
   /// An episode.
   struct Request {
-    std::string demonstration;  ///< script of the demonstrations
+    std::string demonstration;  ///< name of a script
     uint64_t seed = 0;
   };
   struct Params {
@@ -48,7 +48,7 @@ class Vtb : public Service {
     int32_t truth_period_ticks = 4;  ///< of TRUTH_*
   };
 
-  /// @throws std::invalid_argument if the demonstrations has no such script or
+  /// @throws std::invalid_argument if there is no such script or
   /// a tick is not a whole number of the physics' steps.
   Vtb(Bus& bus, const Params& params);
 

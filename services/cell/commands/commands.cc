@@ -4,24 +4,11 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "common/text/nearest.h"
 #include "common/text/printable.h"
 
 namespace cell::cli {
-namespace {
-
-std::vector<std::string> NamesOf(const std::vector<CLI::App*>& commands) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : commands) {
-    names.push_back(command->get_name());
-  }
-  return names;
-}
-
-}  // namespace
-
 void AddAllCommands(CLI::App& app, Action* action) {
   app.set_version_flag("--version", "cell " CELL_VERSION);
   for (const auto add :
@@ -40,11 +27,13 @@ void CheckCommandNames(CLI::App& app, int argc, const char* const* argv) {
     const auto commands = level->get_subcommands({});
     const std::string_view word = argv[i];
     if (commands.empty() || word.starts_with('-')) return;
-    const auto it = std::ranges::find(
-        commands, word, [](const CLI::App* a) { return a->get_name(); });
+    const auto name_of = [](const CLI::App* a) {
+      return a->get_name();
+    };
+    const auto it = std::ranges::find(commands, word, name_of);
     if (it == commands.end()) {
       throw CLI::ParseError("there is no command '" + Printable(word) + "'" +
-                                NamesInstead(word, NamesOf(commands)),
+                                NamesInstead(word, NamesIn(commands, name_of)),
                             CLI::ExitCodes::ExtrasError);
     }
     level = *it;

@@ -11,6 +11,7 @@
 
 #include "common/node/cell_files.h"
 #include "common/task/task.h"
+#include "common/text/nearest.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/evaluations/evaluation.h"
@@ -55,22 +56,16 @@ int RunList(const std::string& deploy_dir) {
   const CellFiles files = FindCellFiles(deploy_dir);
   const Task task = LoadTask(files.deployment);
   const auto [by_person, by_robot] = DemonstrationsOf(files.deployment, task);
-  Names goals, actions, services, evaluations;
-  for (const Goal& goal : task.domain.goals()) goals.push_back(goal.name);
-  for (const ActionModel& action : task.actions)
-    actions.push_back(action.action.name);
-  for (const auto& entry : files.roster.entries) services.push_back(entry.name);
-  for (const auto& evaluation : AllEvaluations()) {
-    evaluations.push_back(evaluation->name());
-  }
   Print("tasks", TasksBeside(files.deployment.task_dir));
   const std::string name = files.deployment.task_dir.filename().string();
-  Print("of " + name + ": goals", goals);
+  Print("of " + name + ": goals", NamesIn(task.domain.goals(), &Goal::name));
   Print("  demonstrations, person", by_person);
   Print("  demonstrations, robot", by_robot);
-  Print("  actions", actions);
-  Print("services", services);
-  Print("evaluations", evaluations);
+  Print("  actions", NamesIn(task.domain.actions(), &cell::Action::name));
+  Print("services", NamesIn(files.roster.entries, &Roster::Entry::name));
+  Print("evaluations", NamesIn(AllEvaluations(), [](const auto& evaluation) {
+          return evaluation->name();
+        }));
   return 0;
 }
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 
@@ -73,10 +75,8 @@ Roster RosterOf(const fs::path& log) {
 std::vector<LogFinding> FindOddSequence(const LogIndex& index) {
   constexpr int64_t kMaxLateUs = 1'000'000;
   auto findings = FindOddNumbers(index, false);
-  for (LogFinding& finding :
-       FindOddStamps(index, {.backward_us = kMaxLateUs})) {
-    findings.push_back(std::move(finding));
-  }
+  std::ranges::move(FindOddStamps(index, {.backward_us = kMaxLateUs}),
+                    std::back_inserter(findings));
   return ByPlace(std::move(findings));
 }
 

@@ -175,9 +175,8 @@ void AddReplay(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
       "replay",
       "Print again what happened in a recorded run, or recompute every "
-      "service's "
-      "outputs from "
-      "its recorded inputs.\nExample: cell replay runs/demo-0001 --check");
+      "service's outputs from its recorded inputs.\nExample: cell replay "
+      "runs/demo-0001 --check");
   command->add_option("run", options->run, "run folder")->required();
   CLI::Option* check = command->add_flag("--check", options->is_check,
                                          "recompute and compare byte for byte");

@@ -67,9 +67,10 @@ int ViewScene(const RunFolder& run, const ViewOptions& options) {
   const auto num_pixels =
       DrawScene(run.deployment, poses, options.viewpoint, draft.path());
   draft.PutNew(kAnotherOut);
-  for (const auto& [name, num] : num_pixels) {
-    if (!options.has_counts) break;
-    std::cout << fmt::format("{:24} {:7} pixels\n", Printable(name), num);
+  if (options.has_counts) {
+    for (const auto& [name, num] : num_pixels) {
+      std::cout << fmt::format("{:24} {:7} pixels\n", Printable(name), num);
+    }
   }
   std::cout << fmt::format("{} shows {:.2f} s\n", options.out,
                            Seconds(poses.header.utime));

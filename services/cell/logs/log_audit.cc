@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -72,10 +73,9 @@ class Auditor {
     }
     if (!audit_.is_canonical) {
       // With TICKs it is they that tell what is missing.
-      for (LogFinding& finding :
-           FindOddStamps(index_, {.has_silences = audit_.manifests.empty()})) {
-        audit_.findings.push_back(std::move(finding));
-      }
+      std::ranges::move(
+          FindOddStamps(index_, {.has_silences = audit_.manifests.empty()}),
+          std::back_inserter(audit_.findings));
     }
     if (audit_.manifests.empty()) {
       // Another program's bytes say nothing of ticks.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -57,9 +58,8 @@ std::vector<LogFinding> FindOddFrames(const LogIndex& index,
          damage.length, -1, "",
          "no whole event begins here" + NumbersLostAt(index, damage)});
   }
-  for (LogFinding& finding : FindOddNumbers(index, is_canonical)) {
-    findings.push_back(std::move(finding));
-  }
+  std::ranges::move(FindOddNumbers(index, is_canonical),
+                    std::back_inserter(findings));
   if (!is_canonical) return findings;
   for (size_t i = 0; i < index.entries.size(); ++i) {
     const LogEntry& entry = index.entries[i];

@@ -44,6 +44,13 @@ std::string ListOf(const std::vector<RunningDemo>& demos) {
   return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
+void Join(const RunningDemo& demo) {
+  JoinNetworkOf(demo.pid);
+  std::cerr << Printable(fmt::format("in the network of `cell demo` {}, {}",
+                                     demo.pid, demo.run.string()))
+            << std::endl;
+}
+
 }  // namespace
 
 void CellAddress::AddTo(CLI::App& app) {
@@ -59,12 +66,19 @@ void CellAddress::AddTo(CLI::App& app) {
 
 LcmAddress CellAddress::Reach() const {
   const LcmAddress address = address_.Get();
-  if (demo_ > 0) {
-    JoinDemo(demo_);
-    return address;
-  }
   if (url_option_->count() > 0) return address;
   const std::vector<RunningDemo> demos = FindRunningDemos();
+  if (demo_ > 0) {
+    const auto it = std::ranges::find(demos, demo_, &RunningDemo::pid);
+    if (it == demos.end()) {
+      throw std::invalid_argument(
+          fmt::format("--demo {}: none of your `cell demo` runs has this "
+                      "process id. Running: {}",
+                      demo_, ListOf(demos)));
+    }
+    Join(*it);
+    return address;
+  }
   if (demos.empty() || IsCellHeard(address)) return address;
   if (demos.size() > 1) {
     throw std::invalid_argument(
@@ -72,23 +86,8 @@ LcmAddress CellAddress::Reach() const {
         "running; choose one: " +
         ListOf(demos));
   }
-  JoinDemo(demos.front().pid);
+  Join(demos.front());
   return address;
-}
-
-void CellAddress::JoinDemo(int pid) const {
-  const std::vector<RunningDemo> demos = FindRunningDemos();
-  const auto it = std::ranges::find(demos, pid, &RunningDemo::pid);
-  if (it == demos.end()) {
-    throw std::invalid_argument(
-        fmt::format("--demo {}: none of your `cell demo` runs has this process "
-                    "id. Running: {}",
-                    pid, ListOf(demos)));
-  }
-  JoinNetworkOf(pid);
-  std::cerr << Printable(fmt::format("in the network of `cell demo` {}, {}",
-                                     pid, it->run.string()))
-            << std::endl;
 }
 
 }  // namespace cell::cli

@@ -23,8 +23,6 @@ class CellAddress {
   LcmAddress Reach() const;
 
  private:
-  void JoinDemo(int pid) const;
-
   AddressOption address_;
   int demo_ = 0;  // process id
   CLI::Option* url_option_ = nullptr;

@@ -124,21 +124,14 @@ void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
 
 void RunFolder::TakePart(const std::string& option) {
   const fs::path file = deployment.config_dir / "roster.yaml";
+  roster = Roster::FromConfig(Config::Load(file.string()), option);
   YAML::Node node = YAML::LoadFile(file.string());
-  bool is_any = false;
   for (YAML::Node entry : node["services"]) {
-    if (!entry["option"] || entry["option"].as<std::string>() != option) {
-      continue;
+    if (entry["option"] && entry["option"].as<std::string>() == option) {
+      entry.remove("option");
     }
-    entry.remove("option");
-    is_any = true;
-  }
-  const Config config = Config::Load(file.string());
-  if (!is_any) {
-    config["services"].Fail("has no service with the option " + option);
   }
   WriteFile(file, YAML::Dump(node) + "\n");
-  roster = Roster::FromConfig(Config::Load(file.string()));
 }
 
 void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {

@@ -24,19 +24,14 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names GoalNames(const Domain& domain) {
-  Names names;
-  for (const Goal& goal : domain.goals()) names.push_back(goal.name);
-  return names;
-}
-
 void CheckDemonstrators(const Config& config,
                         const Demonstrations& demonstrations,
                         const Domain& domain, const CellLayout& layout) {
   if (domain.FindGoal(demonstrations.goal) == nullptr) {
     config["goal"].Fail("domain.yaml has no goal '" + demonstrations.goal +
                         "'" +
-                        NamesInstead(demonstrations.goal, GoalNames(domain)));
+                        NamesInstead(demonstrations.goal,
+                                     NamesIn(domain.goals(), &Goal::name)));
   }
   for (const auto& [name, script] : demonstrations.scripts) {
     const Config entry = config["scripts"][name];
@@ -55,10 +50,8 @@ void CheckRoster(const Config& config, const CellFiles& files) {
   for (const Config& item : config["services"].Items()) {
     const auto name = item.Get<std::string>("name");
     if (known.contains(name)) continue;
-    Names names;
-    for (const auto& [service, factory] : known) names.push_back(service);
     item["name"].Fail("there is no service '" + name + "'" +
-                      NamesInstead(name, names));
+                      NamesInstead(name, KeysOf(known)));
   }
 }
 
@@ -67,13 +60,11 @@ void CheckDemonstration(const Demonstrations& demonstrations,
   std::istringstream names(demonstration);
   for (std::string name; std::getline(names, name, '+');) {
     if (demonstrations.scripts.contains(name)) continue;
-    Names known;
-    for (const auto& [script, entry] : demonstrations.scripts)
-      known.push_back(script);
     throw std::invalid_argument(
         fmt::format("--demonstration {}: no script of demonstrators.yaml is "
                     "named '{}'{}",
-                    demonstration, name, NamesInstead(name, known)));
+                    demonstration, name,
+                    NamesInstead(name, KeysOf(demonstrations.scripts))));
   }
 }
 
@@ -88,22 +79,6 @@ void CheckHelpSteps(const Domain& domain, const Names& steps) {
         fmt::format("--help-steps {}: the robot has no action '{}'; it has: {}",
                     step, step, fmt::join(known, ", ")));
   }
-}
-
-/// With those that are absent unless a run asks for `option`.
-Roster WithOption(Roster roster, const Config& config,
-                  const std::string& option) {
-  const size_t num_before = roster.entries.size();
-  for (const Config& item : config["services"].Items()) {
-    if (item.GetOr<std::string>("option", "") != option) continue;
-    roster.entries.push_back({item.Get<std::string>("name"),
-                              item.Integer("latency", 1, 1000),
-                              item.GetOr<std::string>("truth_role", "")});
-  }
-  if (roster.entries.size() == num_before) {
-    config["services"].Fail("has no service with the option " + option);
-  }
-  return roster;
 }
 
 /// What the robot is to do an arm must have a skill for.
@@ -144,10 +119,9 @@ void CheckTask(const CellFiles& files, const RunRequest& request) {
   CheckSkills(deployment.OfTask("domain.yaml"), task);
   const Config roster = deployment.ForService("roster");
   CheckRoster(roster, files);
-  const SimBus all(request.has_cameras
-                       ? WithOption(files.roster, roster, "cameras")
-                       : files.roster,
-                   AllServices(deployment, request.demonstration, 1));
+  const SimBus all(
+      Roster::FromConfig(roster, request.has_cameras ? "cameras" : ""),
+      AllServices(deployment, request.demonstration, 1));
 }
 
 }  // namespace cell::cli

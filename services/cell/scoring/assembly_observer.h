@@ -37,7 +37,7 @@ class AssemblyObserver {
   /// Messages in canonical order. Those that do not decode are passed over.
   void Put(const Message& message);
   const Record& record() const { return record_; }
-  /// By the last pose_history. Nothing before there have been enough.
+  /// By the last poses. Nothing before there have been enough.
   std::optional<AssemblyScore> Score() const;
 
  private:

@@ -10,17 +10,16 @@ namespace {
 ExecutionStatus QuestionAbout(const ExecutionContext& context,
                               const State& state) {
   const Plan& plan = context.plan.get();
-  ExecutionStatus question{.state = ExecutionStatus::State::kStuck};
+  const RequestWords& requests = context.params.requests;
   if (plan.result == Plan::Result::kNoPlan) {
-    question = AskForHelp(context.plan, state, context.dispatch.failures(),
-                          context.params.requests);
-  } else if (plan.result == Plan::Result::kFound) {
-    question.text = AskForView(plan.steps.at(0).action, context.plan.rules(),
-                               context.params.requests);
-  } else {
-    question.text = plan.reason;
+    return AskForHelp(context.plan, state, context.dispatch.failures(),
+                      requests);
   }
-  return question;
+  return {.state = ExecutionStatus::State::kStuck,
+          .text = plan.result == Plan::Result::kFound
+                      ? AskForView(plan.steps.at(0).action,
+                                   context.plan.rules(), requests)
+                      : plan.reason};
 }
 
 }  // namespace
