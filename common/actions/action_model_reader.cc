@@ -28,8 +28,8 @@ YAML::Node Block(const std::string& text, const std::string& where) {
     throw ConfigError(where +
                       ": anchors and aliases (& and *) are not supported");
   }
-  // yaml-cpp stops in silence where a document ends too early, and LoadAll()
-  // may not come to an end at all: what comes behind the text must be there.
+  // yaml-cpp stops silently where a document ends too early, and LoadAll() may
+  // never return: this word behind the text must have been read.
   constexpr char kBehind[] = "behind";
   try {
     const YAML::Node node =
@@ -43,7 +43,7 @@ YAML::Node Block(const std::string& text, const std::string& where) {
   throw ConfigError(where + ": not one complete YAML document");
 }
 
-/// The action as it would stand in a task's domain.yaml, but for `undoes`.
+/// The action in the form of a task's domain.yaml, without `undoes`.
 Config ConfigOf(const ActionRecord& record) {
   YAML::Node node(YAML::NodeType::Map);
   node["arguments"] = YAML::Node(YAML::NodeType::Map);

@@ -27,7 +27,7 @@ class LockstepNode {
     std::function<void(const ack_t&)> send_ack;
   };
 
-  /// `nonce` tells this incarnation from others; must not repeat.
+  /// `nonce` distinguishes this incarnation from others; must not repeat.
   LockstepNode(const Roster& roster, const std::string& name, int64_t nonce,
                const ServiceFactory& factory, Link link);
 

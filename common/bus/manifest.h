@@ -27,8 +27,8 @@ std::vector<flow_t> FlowsOf(const std::vector<Message>& messages);
 /// All messages that the flows name.
 std::vector<MessageId> MessagesIn(const std::vector<flow_t>& flows);
 
-/// The part of a TICK that does not depend on who said it when: without run id
-/// and nonces. Its bytes are what logs keep and digests cover.
+/// The part of a TICK that is the same in every run: without run id and nonces.
+/// Its bytes are what logs keep and digests cover.
 tick_t Canonical(tick_t tick);
 
 /// The canonical TICK as a message.

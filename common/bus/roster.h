@@ -10,7 +10,7 @@
 
 namespace cell {
 
-/// Who takes part in a cell: deploy/config/roster.yaml. The first one is the
+/// The services of a cell: deploy/config/roster.yaml. The first one is the
 /// clock. The index in the roster is the base of a service's sender ids.
 struct Roster {
   struct Entry {
@@ -24,7 +24,7 @@ struct Roster {
   /// `option`, for which a run has to ask. As they come last, the others'
   /// sender ids are the same without them.
   std::vector<std::string> absent;
-  /// Of those who may speak, whether they take part in this run or another.
+  /// The number of services that may publish, in this run or in another.
   size_t NumListed() const { return entries.size() + absent.size(); }
 
   /// With those of this `option`; empty: none that has one.

@@ -48,7 +48,7 @@ Geometry MakeGeometry(const Piece& piece) {
   return nullptr;
 }
 
-// Penetration depth is not asked for: it is costly and nobody needs it.
+// Penetration depth is not computed: it is costly and not needed.
 double ConvexDistance(const Geometry& a, const Isometry3d& X_WA,
                       const Geometry& b, const Isometry3d& X_WB) {
   fcl::DistanceRequestd request;

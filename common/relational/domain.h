@@ -9,7 +9,7 @@
 
 namespace cell {
 
-/// What is to be reached: all literals at once; `_` stands for any object.
+/// The literals to be reached, all at once; `_` means any object.
 struct Goal {
   std::string name;
   std::vector<Literal> literals;
@@ -86,7 +86,7 @@ class Domain {
   RequestWords requests_;
 };
 
-/// Reads an action as it stands in domain.yaml, but for `undoes` and `sec`.
+/// Reads an action of domain.yaml, without `undoes` and `sec`.
 /// @throws ConfigError naming file:key.
 Action LoadAction(const std::string& name, const Config& config,
                   const Vocabulary& vocabulary);

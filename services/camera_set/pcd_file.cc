@@ -21,7 +21,7 @@ namespace {
   throw std::runtime_error(path.string() + ": " + what);
 }
 
-// No camera of depth measures so far [m].
+// Beyond the range of any depth camera [m].
 constexpr double kFarthest = 100;
 
 pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
@@ -39,7 +39,7 @@ pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
 }  // namespace
 
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
-  // It would speak to the person by itself.
+  // PCL would print messages of its own.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   const PcdHeader header = CheckPcd(path);
   const auto cloud = Load(path);

@@ -121,7 +121,7 @@ int Main(const std::filesystem::path& scratch, const std::string& deploy) {
   const double bare_s = alone.step_s;
   RunFolder seeing = RunFolder::Create((scratch / "sim-cameras").string(), "",
                                        files.deployment, kScript, kSeed);
-  seeing.TakePart("cameras");
+  seeing.EnableServices("cameras");
   const Timing sim_cameras = Run(seeing.roster, seeing.deployment);
   const double lcm_s = LcmSeconds(deploy, scratch / "lcm", "");
   const double lcm_cameras_s =

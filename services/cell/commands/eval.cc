@@ -160,8 +160,8 @@ std::set<std::string> TopicsOf(const json& report) {
   return topics;
 }
 
-// Before hours of work: whether the measures can be written at their end. What
-// an evaluation that is resumed has said of fewer rows may be replaced.
+// Checks, before hours of work, that the measures can be written at their end.
+// A resumed evaluation may replace its measures of fewer rows.
 void RequireFreeJson(const EvalOptions& options) {
   if (options.json_file.empty()) return;
   if (options.is_resumed) {

@@ -61,7 +61,7 @@ int Prepare(const PrepareOptions& options) {
   RunFolder run =
       RunFolder::Create(ClaimRunFolder(runs, "live").string(), "live",
                         files.deployment, options.demonstration, options.seed);
-  if (options.has_cameras) run.TakePart("cameras");
+  if (options.has_cameras) run.EnableServices("cameras");
   PointTo(run.path, runs / "current");
   std::cout << "the session is recorded in " << run.path.string() << "\n";
   return 0;

@@ -7,8 +7,8 @@ struct Interval {
   double high = 1;
 };
 
-/// Wilson's score interval (95 %) of a rate of which `num_good` of `num_all`
-/// trials are known; [0, 1] for none.
+/// Wilson's score interval (95 %) of the rate `num_good` / `num_all`; [0, 1]
+/// without trials.
 Interval WilsonInterval(int num_good, int num_all);
 
 }  // namespace cell::cli

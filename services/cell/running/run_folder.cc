@@ -50,7 +50,8 @@ void KeepFrames(const fs::path& frames, const Deployment& deployment) {
   WriteFile(file, YAML::Dump(node) + "\n");
 }
 
-// Many may ask for one folder at once: who makes the first entry has it.
+// Several processes may want a folder at once: the first to create an entry in
+// it owns it.
 void Claim(const fs::path& run) {
   fs::create_directories(run);
   if (!fs::is_empty(run) || !fs::create_directory(run / "deploy")) {
@@ -122,7 +123,7 @@ void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
                         seed));
 }
 
-void RunFolder::TakePart(const std::string& option) {
+void RunFolder::EnableServices(const std::string& option) {
   const fs::path file = deployment.config_dir / "roster.yaml";
   roster = Roster::FromConfig(Config::Load(file.string()), option);
   YAML::Node node = YAML::LoadFile(file.string());

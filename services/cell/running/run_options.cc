@@ -40,7 +40,7 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   RunFolder run =
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
-  if (has_cameras) run.TakePart("cameras");
+  if (has_cameras) run.EnableServices("cameras");
   return run;
 }
 

@@ -12,7 +12,7 @@ class App;
 
 namespace cell::cli {
 
-/// What `cell demo` and `cell sim` are asked for alike.
+/// The common options of `cell demo` and `cell sim`.
 struct RunOptions {
   std::string deploy_dir;
   std::string demonstration;
