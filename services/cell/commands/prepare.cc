@@ -85,7 +85,7 @@ void AddPrepare(CLI::App& app, Action* action) {
                       "folder with config/ and tasks/");
   command->add_option("--demonstration", options->demonstration,
                       "script that the testbed begins with");
-  command->add_option("--seed", options->seed)
+  command->add_option("--seed", options->seed, "seed of its random numbers")
       ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command->add_flag("--cameras", options->has_cameras, "run the camera sets");

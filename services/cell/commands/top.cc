@@ -86,7 +86,7 @@ void AddTop(CLI::App& app, Action* action) {
   options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
-  command->add_option("--period", options->period_s, "[s]")
+  command->add_option("--period", options->period_s, "[s] between reports")
       ->check(NumberIn(0.1, 60.))
       ->capture_default_str();
   command
