@@ -22,7 +22,7 @@ using namespace camera_set;
 using namespace cli;
 namespace {
 
-// The cell at a scene of an episode of the arms.
+// The cell at one time in an episode of the arms.
 struct RenderedScene {
   RenderedScene() {
     const Roster roster = Roster::FromConfig(deployment.ForService("roster"));

@@ -42,7 +42,7 @@ class WatchedCell {
     int32_t tick;
   };
   const std::vector<Placement>& placements() const { return placements_; }
-  /// What was recognised, and what is reported as done by nobody knows whom.
+  /// Recognised actions, and changes reported as unexplained.
   const std::string& reported() const { return reported_; }
   int num_unseen() const { return num_unseen_; }
 

@@ -14,7 +14,7 @@
 namespace cell::cli {
 namespace {
 
-// Which events a range has cost, by the numbers of its neighbours.
+// The events lost in a corrupt range, by the numbers of its neighbours.
 std::string NumbersLostAt(const LogIndex& index,
                           const LogIndex::CorruptRange& range) {
   const auto& entries = index.entries;
