@@ -186,7 +186,9 @@ TEST_F(CellCommand, ThePersonsAssemblyIsRecognisedAndTheArmsMakeAnother) {
     EXPECT_GE(std::stoi(match[1]), 50) << "a part is hidden in " << picture;
     rest = match.suffix();
   }
-  // Every service, the arms' among them, recomputes what it said.
+  EXPECT_THAT(Cell("chain a --object hed").output,
+              HasSubstr("did you mean 'head'? Known: base,"));
+  // Every service, the arms' among them, recomputes its outputs.
   const ShellResult replay = Cell("replay a --check");
   EXPECT_EQ(replay.code, 0) << replay.output;
 }
