@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@
 #include "common/bus/roster.h"
 
 namespace cell {
+
+/// True if the clock's own service waits for this one before it acts.
+bool FeedsClock(const Roster& roster, size_t index);
 
 /// The lockstep protocol as the clock sees it: which services have joined and
 /// answered, what goes into the next TICK. Pure. Death is never inferred from
@@ -35,12 +39,20 @@ class Clock {
   /// The services that still have to say HELLO before tick 0.
   std::vector<std::string> MissingFromRoster() const;
 
-  /// The services that have not yet sent their ACK of this tick; the next TICK
-  /// may go out when there are none.
-  std::vector<std::string> Awaited() const;
+  /// The services that have not yet sent their ACK of this tick: before the
+  /// clock's own service may act in the next one, or before the next TICK may
+  /// go out.
+  enum class Before { kActing, kTick };
+  bool IsAwaiting(Before what) const;
+  std::vector<std::string> Awaited(Before what = Before::kTick) const;
 
   /// What the services published in the current tick.
   std::vector<flow_t> CurrentFlows() const;
+
+  /// Which service has published, in the current tick, what the clock's own
+  /// service wants, without being one that feeds it (Roster); or nothing.
+  std::optional<std::string> WhoFeedsUnasked(
+      const std::function<bool(const std::string& channel)>& wants) const;
 
   /// Makes the next TICK; `own` are the clock's messages, stamped with it.
   /// @pre MissingFromRoster() and Awaited() are empty.
@@ -64,7 +76,7 @@ class Clock {
     std::map<int32_t, std::vector<flow_t>> flows;  // by tick
   };
 
-  bool IsAwaited(const Slot& slot) const;
+  bool IsAwaited(size_t index, Before what) const;
   void ForgetTicks();
   std::vector<joined_t> JoinWaiting();
 

@@ -42,7 +42,7 @@ class LockstepNode {
 
   /// @throws BusError if another cell or another incarnation of this name is
   /// heard.
-  void PutTick(const tick_t& tick);
+  void PutTick(tick_t tick);
 
   /// Handles the next tick if all it needs is there; false if not.
   bool Advance();

@@ -17,6 +17,10 @@ struct Roster {
     std::string name;
     int32_t latency = 1;     ///< ticks that one activation takes, >= 1
     std::string truth_role;  ///< as in truth_access.h; empty: the name
+    /// It may publish what the clock's own service reads. The clock's service
+    /// acts once these have answered, and the others may still be at work. If
+    /// it is said of none, it holds for all.
+    bool feeds_clock = false;
   };
   std::string task;  ///< folder under deploy/tasks
   std::vector<Entry> entries;

@@ -3,7 +3,8 @@ add_executable(bus_bench bench/bus_bench.cc)
 target_include_directories(bus_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(bus_bench PRIVATE
   cell_bus benchmark::benchmark Threads::Threads cell_warnings)
-add_executable(whole_cell_bench bench/whole_cell_bench.cc)
+add_executable(whole_cell_bench
+  bench/whole_cell_bench.cc bench/measured_cell.cc)
 target_include_directories(whole_cell_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(whole_cell_bench PRIVATE
     cell_cli mujoco::mujoco fmt::fmt cell_warnings)
@@ -29,3 +30,8 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
+# What scripts/bench makes of their figures.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME bench_report_test
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_test.py)
+set_tests_properties(bench_report_test PROPERTIES LABELS unit TIMEOUT 60)

@@ -7,6 +7,7 @@
 #include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 #include "services/tracker/ideal_tracker.h"
+#include "tests/bench/yardstick.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {

@@ -1,4 +1,5 @@
 cell_add_test(system/lcm_lockstep_test.cc LINK cell_bus Threads::Threads)
+cell_add_test(system/lcm_receiver_test.cc LINK cell_bus)
 cell_add_test(system/cell_command_test.cc LINK cell_bus cell_imaging TIMEOUT 1500)
 add_dependencies(cell_command_test programs)
 cell_add_test(system/output_test.cc LINK cell_bus TIMEOUT 300)

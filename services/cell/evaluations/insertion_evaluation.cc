@@ -82,7 +82,7 @@ Roster RosterOf(const Roster& whole) {
       roster.entries.push_back(entry);
     }
   }
-  roster.entries.push_back({"driver"});
+  roster.entries.push_back({.name = "driver", .feeds_clock = true});
   return roster;
 }
 
