@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
 #include "common/sec/assignment.h"
 #include "common/sec/column_alignment.h"
@@ -10,23 +11,59 @@
 namespace cell {
 namespace {
 
+// Rows of one role in both chains.
+struct RoleGroup {
+  std::vector<size_t> rows_a, rows_b;
+};
+
+std::vector<size_t> RowsByRole(const RelationMatrix& matrix) {
+  std::vector<size_t> rows(matrix.num_rows());
+  std::iota(rows.begin(), rows.end(), size_t{0});
+  std::ranges::stable_sort(rows, {},
+                           [&](size_t row) { return matrix.role(row); });
+  return rows;
+}
+
+std::vector<RoleGroup> GroupsOf(const RelationMatrix& a,
+                                const RelationMatrix& b, RowRoles roles) {
+  const auto rows_a = RowsByRole(a);
+  const auto rows_b = RowsByRole(b);
+  if (roles == RowRoles::kIgnored) return {{rows_a, rows_b}};
+  std::vector<RoleGroup> groups;
+  size_t j = 0;
+  for (size_t i = 0; i < rows_a.size();) {
+    const uint32_t role = a.role(rows_a[i]);
+    while (j < rows_b.size() && b.role(rows_b[j]) < role) ++j;
+    RoleGroup group;
+    while (i < rows_a.size() && a.role(rows_a[i]) == role) {
+      group.rows_a.push_back(rows_a[i++]);
+    }
+    while (j < rows_b.size() && b.role(rows_b[j]) == role) {
+      group.rows_b.push_back(rows_b[j++]);
+    }
+    if (!group.rows_b.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 class Aligner {
  public:
   Aligner(const RelationMatrix& a, const RelationMatrix& b, RowRoles roles)
-      : a_(a), b_(b), roles_(roles), counts_(a, b) {}
+      : a_(a), b_(b), groups_(GroupsOf(a, b, roles)), counts_(a, b) {}
 
   ChainAlignment Solve() {
-    ChainAlignment by_rows = ImproveFrom(AssignRows(CommonLengths(a_, b_)));
-    ChainAlignment by_columns =
-        ImproveFrom(AssignRows(counts_.OfRows(NearDiagonal())));
-    return by_columns.num_equal > by_rows.num_equal ? std::move(by_columns)
-                                                    : std::move(by_rows);
+    const LinePairs by_length = AssignRows(CommonLengthsInGroups());
+    const LinePairs by_place = AssignRows(counts_.OfRows(NearDiagonal()));
+    ChainAlignment best = ImproveFrom(by_length);
+    if (by_place == by_length || by_place == best.rows) return best;
+    ChainAlignment other = ImproveFrom(by_place);
+    return other.num_equal > best.num_equal ? other : best;
   }
 
  private:
   ChainAlignment ImproveFrom(LinePairs rows) {
     ChainAlignment best;
-    while (true) {
+    while (rows != best.rows) {
       const int num_equal = columns_.Solve(counts_.OfColumns(rows),
                                            a_.num_columns(), b_.num_columns());
       if (num_equal <= best.num_equal) break;
@@ -36,41 +73,59 @@ class Aligner {
     return best;
   }
 
+  std::span<const int> CommonLengthsInGroups() {
+    lengths_.assign(a_.num_rows() * b_.num_rows(), 0);
+    for (const RoleGroup& group : groups_) {
+      for (const size_t i : group.rows_a) {
+        const RowSubsequence row(a_.Row(i));
+        for (const size_t j : group.rows_b) {
+          lengths_[i * b_.num_rows() + j] = row.LengthWith(b_.Row(j));
+        }
+      }
+    }
+    return lengths_;
+  }
+
   // Columns that may correspond if the shorter chain's are all there, the more
   // often the nearer they are to the straight line through both.
   LinePairs NearDiagonal() const {
     const auto last_a = static_cast<ptrdiff_t>(a_.num_columns()) - 1;
     const auto last_b = static_cast<ptrdiff_t>(b_.num_columns()) - 1;
+    const ptrdiff_t surplus = last_b - last_a;
     LinePairs pairs;
     for (ptrdiff_t u = 0; u <= last_a; ++u) {
-      const ptrdiff_t surplus = last_b - last_a;
-      for (ptrdiff_t v = u + std::min<ptrdiff_t>(surplus, 0);
-           v <= u + std::max<ptrdiff_t>(surplus, 0); ++v) {
-        if (v < 0 || v > last_b) continue;
+      const ptrdiff_t first =
+          std::max<ptrdiff_t>(u + std::min<ptrdiff_t>(surplus, 0), 0);
+      const ptrdiff_t last =
+          std::min(u + std::max<ptrdiff_t>(surplus, 0), last_b);
+      for (ptrdiff_t v = first; v <= last; ++v) {
         const ptrdiff_t distance = std::abs(v * last_a - u * last_b);
-        const int weight = 1 + (distance < last_a) + (2 * distance < last_a);
-        pairs.insert(pairs.end(), static_cast<size_t>(weight), {u, v});
+        const int weight =
+            surplus == 0 ? 1
+                         : 1 + (distance < last_a) + (2 * distance < last_a);
+        pairs.insert(pairs.end(), static_cast<size_t>(weight),
+                     {static_cast<size_t>(u), static_cast<size_t>(v)});
       }
     }
     return pairs;
   }
 
-  bool MayCorrespond(size_t row_a, size_t row_b) const {
-    return roles_ == RowRoles::kIgnored || a_.role(row_a) == b_.role(row_b);
-  }
-
-  LinePairs AssignRows(std::span<const int> lengths) {
-    weights_.assign(lengths.begin(), lengths.end());
-    for (size_t k = 0; k < weights_.size(); ++k) {
-      if (!MayCorrespond(k / b_.num_rows(), k % b_.num_rows())) weights_[k] = 0;
-    }
-    const auto columns =
-        assignment_.Solve(weights_, a_.num_rows(), b_.num_rows());
+  // The rows of each role that correspond, with weights as EntryCounts has.
+  LinePairs AssignRows(std::span<const int> weights) {
     LinePairs rows;
-    for (size_t i = 0; i < columns.size(); ++i) {
-      const auto j = static_cast<size_t>(columns[i]);
-      if (columns[i] != Assignment::kNone && MayCorrespond(i, j)) {
-        rows.emplace_back(i, j);
+    rows.reserve(a_.num_rows());
+    for (const auto& [rows_a, rows_b] : groups_) {
+      weights_.clear();
+      for (const size_t i : rows_a) {
+        for (const size_t j : rows_b) {
+          weights_.push_back(weights[i * b_.num_rows() + j]);
+        }
+      }
+      const auto row_of_b =
+          assignment_.Solve(weights_, rows_a.size(), rows_b.size());
+      for (size_t k = 0; k < row_of_b.size(); ++k) {
+        if (row_of_b[k] == Assignment::kNone) continue;
+        rows.emplace_back(rows_a[k], rows_b[static_cast<size_t>(row_of_b[k])]);
       }
     }
     return rows;
@@ -78,11 +133,11 @@ class Aligner {
 
   const RelationMatrix& a_;
   const RelationMatrix& b_;
-  RowRoles roles_;
+  std::vector<RoleGroup> groups_;
   EntryCounts counts_;
   Assignment assignment_;
   ColumnAlignment columns_;
-  std::vector<int> weights_;
+  std::vector<int> lengths_, weights_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,11 +20,13 @@ class RowSubsequence {
   int LengthWith(std::span<const uint8_t> other) const;
 
  private:
+  using Positions = std::array<uint64_t, RelationMatrix::kNumSymbols>;
+
   int LengthInOneWord(std::span<const uint8_t> other) const;
 
   size_t length_;
-  size_t num_words_;
-  std::vector<uint64_t> positions_;  // by symbols
+  Positions first_positions_{};           // of each symbol in 64 columns
+  std::vector<Positions> all_positions_;  // if there are more
 };
 
 }  // namespace cell
