@@ -12,6 +12,7 @@
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/eval_sec.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/job_pool.h"
 #include "services/cell/evaluations/row_store.h"
@@ -220,6 +221,7 @@ void AddEval(CLI::App& app, Action* action) {
       "intervals.\n"
       "Example: cell eval watch --runs 50 --seed 1 --jobs 2 --json watch.json");
   eval->require_subcommand(1);
+  AddEvalSec(*eval, action);
   for (auto& evaluation : AllEvaluations()) {
     auto options = std::make_shared<EvalOptions>();
     options->evaluation = std::move(evaluation);
