@@ -210,10 +210,11 @@ void AddEvalSec(CLI::App& eval, Action* action) {
       ->add_option("--size", options->size,
                    "with --classes: rows x columns of a manipulation")
       ->check([](const std::string& text) {
-        return ParseSize(text) ? std::string()
-                               : "--size " + text +
-                                     ": rows x columns is expected, such as "
-                                     "8x8, from 3x2 to 99x99";
+        return ParseSize(text)
+                   ? std::string()
+                   : text +
+                         " is no size: rows x columns is expected, such as "
+                         "8x8, from 3x2 to 99x99";
       })
       ->capture_default_str();
   command->add_flag("--equal-roles", options->has_equal_roles,

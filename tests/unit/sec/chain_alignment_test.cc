@@ -93,8 +93,8 @@ TEST(AlignChains, FindsRowsAndColumnsOfAShuffledChainWithAnInsertedColumn) {
   const ChainAlignment alignment = AlignChains(a, b, RowRoles::kIgnored);
   EXPECT_EQ(alignment.num_equal, 12);
   EXPECT_THAT(alignment.rows, ElementsAre(Pair(0, 1), Pair(1, 2), Pair(2, 0)));
-  EXPECT_THAT(alignment.columns, ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 3),
-                                             Pair(3, 4)));
+  EXPECT_THAT(alignment.columns,
+              ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 3), Pair(3, 4)));
 }
 
 TEST(AlignChains, CountsWhatItSaysCorresponds) {
@@ -106,7 +106,9 @@ TEST(AlignChains, CountsWhatItSaysCorresponds) {
       const ChainAlignment alignment = AlignChains(a, b, roles);
       int num_equal = 0;
       for (const auto& [i, j] : alignment.rows) {
-        if (roles == RowRoles::kKept) ASSERT_EQ(a.role(i), b.role(j));
+        if (roles == RowRoles::kKept) {
+          ASSERT_EQ(a.role(i), b.role(j));
+        }
         for (const auto& [u, v] : alignment.columns) {
           num_equal += a.Symbol(i, u) == b.Symbol(j, v);
         }

@@ -59,8 +59,7 @@ TEST_P(EveryMatrixSimilarity, IgnoresTheOrderOfRows) {
 
 TEST_P(EveryMatrixSimilarity, FallsAsNoiseGrows) {
   std::mt19937_64 random(3);
-  const RelationMatrix chain =
-      RandomChain({0, 1, 2, 3, 4, 5, 0, 1}, 8, random);
+  const RelationMatrix chain = RandomChain({0, 1, 2, 3, 4, 5, 0, 1}, 8, random);
   double last = 2;
   for (const double p : {0.0, 0.1, 0.3, 0.5}) {
     double mean = 0;
@@ -93,10 +92,9 @@ TEST(PaperSimilarity, LeavesOutRowsThatCorrespondToNone) {
 }
 
 TEST(JointSimilarity, CountsRowsThatCorrespondToNone) {
-  EXPECT_DOUBLE_EQ(
-      JointSimilarity().Between(MatrixOf({"901", "110"}),
-                                MatrixOf({"901", "110", "222"})),
-      2.0 * 6 / (6 + 9));
+  EXPECT_DOUBLE_EQ(JointSimilarity().Between(MatrixOf({"901", "110"}),
+                                             MatrixOf({"901", "110", "222"})),
+                   2.0 * 6 / (6 + 9));
 }
 
 // The changes are the same, at other times.
@@ -120,18 +118,17 @@ TEST(TypedSimilarity, LetsOnlyRowsOfOneRoleCorrespond) {
 EventChain Lifting(const std::string& hand, const std::string& thing) {
   EventChain chain;
   for (const auto& [held, lying] : {std::pair{0, 1}, {1, 1}, {1, 0}}) {
-    chain.Append({{MakePair(hand, thing), Relation{static_cast<int8_t>(held)}},
-                  {MakePair(thing, "table"),
-                   Relation{static_cast<int8_t>(lying)}}});
+    chain.Append(
+        {{MakePair(hand, thing), Relation{static_cast<int8_t>(held)}},
+         {MakePair(thing, "table"), Relation{static_cast<int8_t>(lying)}}});
   }
   return chain;
 }
 
 TEST(TypedSimilarity, TakesRolesFromTheTypesOfObjects) {
   const TypedSimilarity by_type({{"bolt_1", "bolt"}, {"bolt_2", "bolt"}});
-  EXPECT_EQ(by_type.Between(Lifting("hand", "bolt_1"),
-                            Lifting("hand", "bolt_2")),
-            1);
+  EXPECT_EQ(
+      by_type.Between(Lifting("hand", "bolt_1"), Lifting("hand", "bolt_2")), 1);
   EXPECT_EQ(by_type.Between(Lifting("hand", "bolt_1"), Lifting("hand", "nut")),
             0);
   EXPECT_EQ(TypedSimilarity().Between(Lifting("hand", "bolt_1"),
