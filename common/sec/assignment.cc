@@ -23,13 +23,9 @@ std::span<const int> Assignment::Solve(std::span<const int> weights,
     result_ = std::move(columns);
     return result_;
   }
-  if (SolveByBest(weights, num_rows, num_columns)) return result_;
-  row_potential_.assign(num_rows + 1, 0);
-  column_potential_.assign(num_columns + 1, 0);
-  row_of_.assign(num_columns + 1, 0);
-  predecessor_.resize(num_columns + 1);
+  StartWithBest(weights, num_rows, num_columns);
   for (size_t row = 1; row <= num_rows; ++row) {
-    Augment(weights, row, num_columns);
+    if (result_[row - 1] == kNone) Augment(weights, row, num_columns);
   }
   for (size_t j = 1; j <= num_columns; ++j) {
     if (row_of_[j] > 0) result_[row_of_[j] - 1] = static_cast<int>(j - 1);
@@ -37,20 +33,26 @@ std::span<const int> Assignment::Solve(std::span<const int> weights,
   return result_;
 }
 
-// The best column of each row, if they are all different.
-bool Assignment::SolveByBest(std::span<const int> weights, size_t num_rows,
-                             size_t num_columns) {
+// Assigns rows to a best column of theirs as long as one is free. That is the
+// best for these rows; the potentials say so.
+void Assignment::StartWithBest(std::span<const int> weights, size_t num_rows,
+                               size_t num_columns) {
   result_.assign(num_rows, kNone);
-  is_in_tree_.assign(num_columns, 0);
+  row_potential_.resize(num_rows + 1);
+  column_potential_.assign(num_columns + 1, 0);
+  row_of_.assign(num_columns + 1, 0);
+  predecessor_.resize(num_columns + 1);
   for (size_t i = 0; i < num_rows; ++i) {
     const auto row = weights.subspan(i * num_columns, num_columns);
-    const auto best = std::ranges::max_element(row) - row.begin();
-    char& is_taken = is_in_tree_[static_cast<size_t>(best)];
-    if (is_taken) return false;
-    is_taken = 1;
-    result_[i] = static_cast<int>(best);
+    const int best = *std::ranges::max_element(row);
+    row_potential_[i + 1] = -best;
+    for (size_t j = 0; j < num_columns; ++j) {
+      if (row[j] != best || row_of_[j + 1] != 0) continue;
+      row_of_[j + 1] = i + 1;
+      result_[i] = static_cast<int>(j);
+      break;
+    }
   }
-  return true;
 }
 
 // Grows a tree of shortest alternating paths from `row` to a free column, with

@@ -10,8 +10,8 @@ namespace cell {
 /// Hungarian method with potentials (Kuhn and Munkres). Keeps its buffers from
 /// one problem to the next.
 ///
-/// Cost: min(rows, columns)^2 * max(rows, columns); rows * columns where the
-/// best column of each row is the best of no other row.
+/// Cost: rows * columns, and as much again for each row whose best columns
+/// other rows have taken, at most min(rows, columns) times.
 class Assignment {
  public:
   static constexpr int kNone = -1;
@@ -23,8 +23,8 @@ class Assignment {
                              size_t num_columns);
 
  private:
-  bool SolveByBest(std::span<const int> weights, size_t num_rows,
-                   size_t num_columns);
+  void StartWithBest(std::span<const int> weights, size_t num_rows,
+                     size_t num_columns);
   void Augment(std::span<const int> weights, size_t row, size_t num_columns);
 
   std::vector<int> result_;
