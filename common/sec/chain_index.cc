@@ -50,19 +50,19 @@ double ChainIndex::Bound(const RelationMatrix& query,
          static_cast<double>(query.num_entries() + size_t{rows} * columns);
 }
 
+// A query without entries is similar only to a model without entries.
+ChainIndex::Match ChainIndex::MostSimilarToNone() const {
+  const auto it = std::ranges::find_if(models_, &RelationMatrix::is_empty);
+  if (it == models_.end()) return {};
+  return {static_cast<size_t>(it - models_.begin()), 1, 0};
+}
+
 std::optional<ChainIndex::Match> ChainIndex::MostSimilar(
     const RelationMatrix& query) const {
   if (models_.empty()) return std::nullopt;
   const RelationMatrix sorted = query.Sorted();
   Match best;
-  if (query.is_empty()) {  // alike only to others without entries
-    const auto it = std::ranges::find_if(models_, &RelationMatrix::is_empty);
-    if (it != models_.end()) {
-      best.model = static_cast<size_t>(it - models_.begin());
-      best.similarity = 1;
-    }
-    return best;
-  }
+  if (query.is_empty()) return MostSimilarToNone();
   std::vector<RoleEntries> entries;
   AppendEntries(sorted, &entries);
   using Candidate = std::pair<double, size_t>;

@@ -46,6 +46,7 @@ class ChainIndex {
   };
   static void AppendEntries(const RelationMatrix& sorted,
                             std::vector<RoleEntries>* entries);
+  Match MostSimilarToNone() const;
   double Bound(const RelationMatrix& query,
                const std::vector<RoleEntries>& entries, size_t model) const;
 

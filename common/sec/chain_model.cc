@@ -94,46 +94,47 @@ void ChainModel::Absorb(const ChainModel& other) {
   const auto rows = UniteRows(alignment.rows, rows_.size(), other.rows_.size());
   const auto columns =
       UniteInOrder(alignment.columns, columns_.size(), other.columns_.size());
-  const auto unite = [&](const std::vector<UnitedLine>& united,
-                         const std::vector<Line>& mine,
-                         const std::vector<Line>& theirs) {
+  std::vector<uint32_t> roles;
+  for (const UnitedLine& row : rows) {
+    roles.push_back(row.mine ? chain_.role(*row.mine)
+                             : other.chain_.role(*row.theirs));
+  }
+  std::vector<Votes> votes;
+  for (const UnitedLine& row : rows) {
+    for (const UnitedLine& column : columns) {
+      votes.emplace_back();
+      AddVotes(row.mine, column.mine, &votes.back());
+      other.AddVotes(row.theirs, column.theirs, &votes.back());
+    }
+  }
+  const auto weigh = [&](const auto& united, const auto& mine,
+                         const auto& theirs) {
     std::vector<Line> lines;
     for (const UnitedLine& line : united) {
-      Line sum = line.mine ? mine[*line.mine] : theirs[*line.theirs];
-      if (line.mine) sum.num_samples += other.num_samples_;
-      if (line.mine && line.theirs) {
-        sum.weight += params_.gain * theirs[*line.theirs].num_seen;
-        sum.num_seen += theirs[*line.theirs].num_seen;
-      }
-      lines.push_back(sum);
+      lines.push_back(line.mine ? mine[*line.mine] : theirs[*line.theirs]);
+      if (!line.mine) continue;
+      lines.back().num_samples += other.num_samples_;
+      if (!line.theirs) continue;
+      lines.back().weight += params_.gain * theirs[*line.theirs].num_seen;
+      lines.back().num_seen += theirs[*line.theirs].num_seen;
     }
     return lines;
   };
-  std::vector<Votes> votes;
-  std::vector<uint32_t> roles;
-  for (const auto& row : rows) {
-    roles.push_back(row.mine ? chain_.role(*row.mine)
-                             : other.chain_.role(*row.theirs));
-    for (const auto& column : columns) {
-      Votes sum{};
-      const auto add = [&](const ChainModel& model, OptionalLine i,
-                           OptionalLine j) {
-        if (!i || !j) return;
-        const Votes& more = model.votes_[*i * model.columns_.size() + *j];
-        for (size_t s = 0; s < sum.size(); ++s) sum[s] += more[s];
-      };
-      add(*this, row.mine, column.mine);
-      add(other, row.theirs, column.theirs);
-      votes.push_back(sum);
-    }
-  }
-  rows_ = unite(rows, rows_, other.rows_);
-  columns_ = unite(columns, columns_, other.columns_);
+  rows_ = weigh(rows, rows_, other.rows_);
+  columns_ = weigh(columns, columns_, other.columns_);
   votes_ = std::move(votes);
   chain_ = RelationMatrix(std::move(roles), columns_.size());
   num_samples_ += other.num_samples_;
   DeleteLightLines();
   Elect();
+}
+
+// Adds the votes on an entry, if this model has its row and column.
+void ChainModel::AddVotes(std::optional<size_t> row,
+                          std::optional<size_t> column, Votes* sum) const {
+  if (!row || !column) return;
+  const Votes& more = votes_[*row * columns_.size() + *column];
+  for (size_t s = 0; s < sum->size(); ++s) (*sum)[s] += more[s];
 }
 
 void ChainModel::DeleteLightLines() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "common/sec/chain_alignment.h"
@@ -46,6 +47,8 @@ class ChainModel {
   using Votes = std::array<int, RelationMatrix::kNumSymbols>;
 
   void Absorb(const ChainModel& other);
+  void AddVotes(std::optional<size_t> row, std::optional<size_t> column,
+                Votes* sum) const;
   void DeleteLightLines();
   void Keep(const std::vector<size_t>& rows,
             const std::vector<size_t>& columns);

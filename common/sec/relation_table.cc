@@ -23,10 +23,10 @@ std::optional<Number> Parse(std::string_view text) {
                                           : std::nullopt;
 }
 
-std::vector<std::string_view> Split(std::string_view text, char separator) {
+std::vector<std::string_view> Split(std::string_view text, char delimiter) {
   std::vector<std::string_view> pieces;
   while (true) {
-    const size_t end = text.find(separator);
+    const size_t end = text.find(delimiter);
     pieces.push_back(text.substr(0, end));
     if (end == std::string_view::npos) return pieces;
     text.remove_prefix(end + 1);

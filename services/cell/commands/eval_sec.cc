@@ -186,16 +186,7 @@ int RunLibrary(const EvalSecOptions& options) {
   return PrintGoals(GroupMeasures(results)) ? 0 : 1;
 }
 
-}  // namespace
-
-void AddEvalSec(CLI::App& eval, Action* action) {
-  auto options = std::make_shared<EvalSecOptions>();
-  CLI::App* command = eval.add_subcommand(
-      "sec",
-      "Measure the similarity of event chains as in section VI-A: the curves "
-      "of a figure, the classification of random manipulations, or the online "
-      "library. Writes CSV and a plot.\n"
-      "Example: cell eval sec --figure 13");
+void AddWhatToMeasure(CLI::App* command, EvalSecOptions* options) {
   auto* what = command->add_option_group("what", "what to measure");
   what->add_option("--figure", options->figure,
                    "curves of this figure, and what the paper says of them")
@@ -206,6 +197,19 @@ void AddEvalSec(CLI::App& eval, Action* action) {
   what->add_flag("--library", options->is_library,
                  "group samples of five manipulations online");
   what->require_option(1);
+}
+
+}  // namespace
+
+void AddEvalSec(CLI::App& eval, Action* action) {
+  auto options = std::make_shared<EvalSecOptions>();
+  CLI::App* command = eval.add_subcommand(
+      "sec",
+      "Measure the similarity of event chains as in section VI-A: the curves "
+      "of a figure, the classification of random manipulations, or the online "
+      "library. Writes CSV and a plot.\n"
+      "Example: cell eval sec --figure 13");
+  AddWhatToMeasure(command, options.get());
   command
       ->add_option("--size", options->size,
                    "with --classes: rows x columns of a manipulation")

@@ -237,7 +237,7 @@ std::string ClassesPlot(const std::string& accuracy_csv,
                         const std::string& png) {
   std::string text = fmt::format(
       "set terminal pngcairo size 960,640\nset output '{}'\n"
-      "set datafile separator ','\nset key outside\nset grid\n"
+      "set datafile sep ','\nset key outside\nset grid\n"
       "set xlabel 'noise level p'\nset ylabel 'classified right (%)'\n"
       "set yrange [0:105]\nplot ",
       png);

@@ -118,7 +118,7 @@ std::string CurvesPlot(const std::string& figure, const std::string& csv,
                        const std::vector<SecCurve>& curves) {
   std::string text = fmt::format(
       "set terminal pngcairo size 960,640\nset output '{}'\n"
-      "set datafile separator ','\nset key outside\nset grid\n"
+      "set datafile sep ','\nset key outside\nset grid\n"
       "set title 'Fig. {}'\nset xlabel 'noise level p'\n"
       "set ylabel 'mean similarity (%)'\nset yrange [0:105]\nplot ",
       png, figure);

@@ -15,9 +15,6 @@
 #include "services/cell/evaluations/sec_seeds.h"
 
 namespace cell::cli {
-
-const char* const kImprovedGrouping = "typed, cut, consensus";
-
 namespace {
 
 struct Variant {

@@ -30,7 +30,7 @@ struct SecGroupsResult {
 };
 
 /// The variant whose goals are set: roles kept, the cut itself, consensus.
-extern const char* const kImprovedGrouping;
+inline constexpr char kImprovedGrouping[] = "typed, cut, consensus";
 
 std::vector<SecGroupsResult> GroupSamples(
     const SecGroupsParams& params,
