@@ -11,6 +11,8 @@
 namespace cell {
 namespace {
 
+constexpr ptrdiff_t kMostPlaces = 1 << 14;
+
 // Rows of one role in both chains.
 struct RoleGroup {
   std::vector<size_t> rows_a, rows_b;
@@ -92,6 +94,8 @@ class Aligner {
     const auto last_a = static_cast<ptrdiff_t>(a_.num_columns()) - 1;
     const auto last_b = static_cast<ptrdiff_t>(b_.num_columns()) - 1;
     const ptrdiff_t surplus = last_b - last_a;
+    // EntryCounts has 16 bits: of many columns only the nearest.
+    const bool has_far = (last_a + 1) * (std::abs(surplus) + 1) <= kMostPlaces;
     LinePairs pairs;
     for (ptrdiff_t u = 0; u <= last_a; ++u) {
       const ptrdiff_t first =
@@ -100,9 +104,9 @@ class Aligner {
           std::min(u + std::max<ptrdiff_t>(surplus, 0), last_b);
       for (ptrdiff_t v = first; v <= last; ++v) {
         const ptrdiff_t distance = std::abs(v * last_a - u * last_b);
-        const int weight =
-            surplus == 0 ? 1
-                         : 1 + (distance < last_a) + (2 * distance < last_a);
+        const int weight = surplus == 0 ? 1
+                                        : has_far + (distance < last_a) +
+                                              (2 * distance < last_a);
         pairs.insert(pairs.end(), static_cast<size_t>(weight),
                      {static_cast<size_t>(u), static_cast<size_t>(v)});
       }

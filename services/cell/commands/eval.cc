@@ -221,7 +221,6 @@ void AddEval(CLI::App& app, Action* action) {
       "intervals.\n"
       "Example: cell eval watch --runs 50 --seed 1 --jobs 2 --json watch.json");
   eval->require_subcommand(1);
-  AddEvalSec(*eval, action);
   for (auto& evaluation : AllEvaluations()) {
     auto options = std::make_shared<EvalOptions>();
     options->evaluation = std::move(evaluation);
@@ -258,6 +257,7 @@ void AddEval(CLI::App& app, Action* action) {
       };
     });
   }
+  AddEvalSec(*eval, action);
 }
 
 }  // namespace cell::cli

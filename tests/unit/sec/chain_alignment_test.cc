@@ -122,5 +122,14 @@ TEST(AlignChains, CountsWhatItSaysCorresponds) {
   }
 }
 
+TEST(AlignChains, FindsAChainAmongMoreColumnsThanAWordHasBits) {
+  std::mt19937_64 random(4);
+  const RelationMatrix chain = RandomChain({0, 0, 0, 0}, 150, random);
+  const RelationMatrix longer = WithNoise(chain, {0.9, false, {}}, random);
+  const ChainAlignment alignment =
+      AlignChains(chain, longer, RowRoles::kIgnored);
+  EXPECT_GE(alignment.num_equal, 4 * 150 * 9 / 10);
+}
+
 }  // namespace
 }  // namespace cell
