@@ -29,7 +29,7 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
-add_executable(sec_bench bench/sec_bench.cc)
-target_include_directories(sec_bench PRIVATE ${PROJECT_SOURCE_DIR})
-target_link_libraries(sec_bench PRIVATE
+add_executable(chain_bench bench/chain_bench.cc)
+target_include_directories(chain_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(chain_bench PRIVATE
   cell_sec benchmark::benchmark cell_warnings)
