@@ -30,6 +30,10 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
+add_executable(chain_bench bench/chain_bench.cc)
+target_include_directories(chain_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(chain_bench PRIVATE
+  cell_sec benchmark::benchmark cell_warnings)
 # What scripts/bench makes of their figures.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME bench_report_test

@@ -12,6 +12,7 @@
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/eval_sec.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/job_pool.h"
 #include "services/cell/evaluations/row_store.h"
@@ -256,6 +257,7 @@ void AddEval(CLI::App& app, Action* action) {
       };
     });
   }
+  AddEvalSec(*eval, action);
 }
 
 }  // namespace cell::cli
