@@ -1,0 +1,41 @@
+#include "services/sec_builder/key_frame_builder.h"
+
+#include <cstdint>
+
+namespace cell::sec_builder {
+
+KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
+    const Deployment& deployment, const Task& task) {
+  Params params{task.scene_objects, task.parts, {}, {}};
+  const Config config = deployment.ForService("sec_builder");
+  PairFilter::Params& pair = params.extractor.pair;
+  pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;
+  pair.release = config.Number("release_mm", 0.01, 1000) * 1e-3;
+  if (pair.release < pair.touch) {
+    config["release_mm"].Fail("must not be less than touch_mm");
+  }
+  pair.stick_out = pair.release - pair.touch;
+  pair.confirm_frames = config.Integer("confirm_frames", 1, 100);
+  params.extractor.merge_us =
+      config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
+  params.extractor.absent_us =
+      config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
+  config.Finish();
+  params.proximity = {pair.touch / 2, 1.5 * pair.release};
+  return params;
+}
+
+KeyFrameBuilder::KeyFrameBuilder(const Params& params)
+    : params_(params),
+      sensor_(params.scene_objects, params.parts, params.proximity),
+      extractor_(params.scene_objects, params.extractor) {}
+
+std::vector<KeyFrame> KeyFrameBuilder::Update(const Tracks& tracks) {
+  return extractor_.Update(tracks, sensor_.Measure(tracks));
+}
+
+void KeyFrameBuilder::Reset() {
+  extractor_ = KeyFrameExtractor(params_.scene_objects, params_.extractor);
+}
+
+}  // namespace cell::sec_builder
