@@ -87,7 +87,7 @@ void KeyFrameExtractor::UpdatePairs(int64_t utime,
 bool KeyFrameExtractor::IsOpen(int64_t utime, int64_t window_end) const {
   return utime < window_end ||
          std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
-           const auto since = entry.second.pending_since();
+           const auto since = entry.second.pending_since(utime);
            return since && *since <= window_end && !IsOfHandsAlone(entry.first);
          });
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "cell/episode_t.hpp"
+#include "cell/truth_poses_t.hpp"
+#include "common/bus/message.h"
+#include "common/recordings/recording.h"
+#include "common/task/task.h"
+
+namespace cell::cli {
+
+/// Makes the recording of one episode from the messages of a testbed: for each
+/// TRACKS the TRUTH_POSES that it was made of, of the task's parts and hands.
+class EpisodeRecorder {
+ public:
+  /// @param number  of the episode, from 1. @param build  that simulates it.
+  EpisodeRecorder(const Task& task, int number, const std::string& build);
+
+  /// Takes the messages in their order. Other channels are passed over.
+  void Put(const Message& message);
+
+  bool has_episode() const { return num_started_ >= number_; }
+  const Recording& recording() const { return recording_; }
+
+ private:
+  void OnEpisode(const episode_t& message);
+  void OnTracks(int64_t utime);
+
+  Recording recording_;
+  int number_;
+  int num_started_ = 0;
+  int64_t start_utime_ = 0;
+  std::map<std::string, size_t> index_;      // of bodies
+  std::map<int64_t, truth_poses_t> truths_;  // by utime; older ones are dropped
+};
+
+}  // namespace cell::cli
