@@ -1,6 +1,7 @@
 #include "services/sec_builder/key_frame_builder.h"
 
 #include <cstdint>
+#include <string>
 
 namespace cell::sec_builder {
 
@@ -24,6 +25,12 @@ KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
   params.smoother.position_sd = config.Number("pose_noise_mm", 0, 100) * 1e-3;
   params.smoother.lag_frames = config.Integer("lag_frames", 1, 100);
   config.Finish();
+  for (const ArmLayout& arm : task.layout.arms) {
+    const std::string suffix = ChannelSuffix(arm.name);
+    auto& channels = params.extractor.channels[arm.gripper];
+    channels = {"ARM_STATE_" + suffix};
+    if (arm.X_FS) channels.push_back("WRENCH_" + suffix);
+  }
   params.proximity = {pair.touch / 2, 1.5 * pair.release};
   return params;
 }

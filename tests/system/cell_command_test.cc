@@ -215,7 +215,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
         "eval",  "eval watch", "eval assembly", "eval insertion", "check",
         "chain", "view",       "episode",       "hold",           "resume",
         "goal",  "list",       "top",           "record",         "spy",
-        "sec",   "sec record"}) {
+        "sec",   "sec record", "sec plot"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "services/cell/commands/commands.h"
+
+namespace cell::cli {
+
+// Each adds one subcommand to `cell sec` and, if it is chosen, sets `action`.
+// One file per subcommand: sec_<name>.cc.
+void AddSecPlot(CLI::App& sec, Action* action);
+void AddSecRecord(CLI::App& sec, Action* action);
+
+}  // namespace cell::cli
