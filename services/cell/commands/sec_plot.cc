@@ -29,7 +29,6 @@
 namespace cell::cli {
 namespace {
 
-constexpr char kAnotherOut[] = "choose another --out or remove it";
 constexpr size_t kMaxColumns = 60;
 
 struct PlotOptions {
@@ -42,15 +41,15 @@ struct PlotOptions {
 };
 
 /// The key frames of an episode, and the poses of the testbed by utime.
-struct Episode {
+struct ShownEpisode {
   std::vector<KeyFrame> frames;
   std::map<int64_t, truth_poses_t> poses;
 };
 
 /// Takes the messages of a log in their order.
-class EpisodeReader {
+class ShownEpisodeReader {
  public:
-  EpisodeReader(const SceneObjects& scene_objects, int number)
+  ShownEpisodeReader(const SceneObjects& scene_objects, int number)
       : scene_objects_(scene_objects), number_(number) {}
 
   void Put(const Message& message) {
@@ -70,31 +69,31 @@ class EpisodeReader {
     }
   }
 
-  const Episode& episode() const { return episode_; }
+  const ShownEpisode& episode() const { return episode_; }
 
  private:
   const SceneObjects& scene_objects_;
   int number_;
   int num_started_ = 0;
-  Episode episode_;
+  ShownEpisode episode_;
 };
 
-bool IsFile(const PlotOptions& options) {
+bool IsLogFile(const PlotOptions& options) {
   return std::filesystem::is_regular_file(options.log);
 }
 
 Deployment DeploymentOf(const PlotOptions& options) {
-  return IsFile(options) ? FindCellFiles(options.deploy_dir).deployment
+  return IsLogFile(options) ? FindCellFiles(options.deploy_dir).deployment
                          : RunFolder::Open(options.log).deployment;
 }
 
 /// @throws std::runtime_error naming the log if it has no key frames.
-Episode ReadEpisode(const PlotOptions& options, const Task& task) {
+ShownEpisode ReadEpisode(const PlotOptions& options, const Task& task) {
   const RunLog log =
-      IsFile(options)
+      IsLogFile(options)
           ? RunLog::Load(std::vector<std::filesystem::path>{options.log})
           : RunLog::Load(std::filesystem::path(options.log));
-  EpisodeReader reader(task.scene_objects, options.episode);
+  ShownEpisodeReader reader(task.scene_objects, options.episode);
   for (const auto& [tick, entry] : log.ticks()) {
     for (const Message& message : entry.messages) reader.Put(message);
   }
@@ -109,7 +108,7 @@ Episode ReadEpisode(const PlotOptions& options, const Task& task) {
 
 /// The rows that change, of the object if one is asked for, and the key frames
 /// at which they do.
-ChainFigure FigureOf(const Episode& episode, const PlotOptions& options,
+ChainFigure FigureOf(const ShownEpisode& episode, const PlotOptions& options,
                      std::vector<KeyFrame>* frames) {
   EventChain all;
   for (const KeyFrame& frame : episode.frames) all.Append(frame.relations);
@@ -143,7 +142,7 @@ ChainFigure FigureOf(const Episode& episode, const PlotOptions& options,
   return figure;
 }
 
-void AddPictures(const Episode& episode, const std::vector<KeyFrame>& frames,
+void AddPictures(const ShownEpisode& episode, const std::vector<KeyFrame>& frames,
                  const Task& task, ChainFigure* figure) {
   if (episode.poses.empty()) return;
   Viewpoint viewpoint;
@@ -157,18 +156,18 @@ void AddPictures(const Episode& episode, const std::vector<KeyFrame>& frames,
   }
 }
 
-void Write(const ChainFigure& figure, const std::filesystem::path& out) {
+void WriteFigure(const ChainFigure& figure, const std::filesystem::path& out) {
   const auto [width, height] = SizeOf(figure);
   if (out.extension() == ".svg") {
     SvgCanvas canvas(width, height);
     DrawChain(figure, &canvas);
-    return WriteNewFile(out, canvas.ToText(), kAnotherOut);
+    return WriteNewFile(out, canvas.ToText(), kChooseAnotherOut);
   }
   RasterCanvas canvas(width, height);
   DrawChain(figure, &canvas);
   Draft draft(out);
   WritePng(draft.path(), canvas.image());
-  draft.PutNew(kAnotherOut);
+  draft.PutNew(kChooseAnotherOut);
 }
 
 int Plot(const PlotOptions& options) {
@@ -178,13 +177,13 @@ int Plot(const PlotOptions& options) {
     throw std::invalid_argument("--out " + options.out +
                                 ": must end in .png or .svg");
   }
-  RequireFree(options.out, kAnotherOut);
+  RequireFree(options.out, kChooseAnotherOut);
   const Task task = LoadTask(DeploymentOf(options));
-  const Episode episode = ReadEpisode(options, task);
+  const ShownEpisode episode = ReadEpisode(options, task);
   std::vector<KeyFrame> frames;
   ChainFigure figure = FigureOf(episode, options, &frames);
   if (!options.has_no_pictures) AddPictures(episode, frames, task, &figure);
-  Write(figure, options.out);
+  WriteFigure(figure, options.out);
   std::cout << fmt::format(
       "{} shows {} and {}\n", options.out,
       Counted(static_cast<int64_t>(figure.chain.num_columns()), "key frame"),

@@ -17,7 +17,6 @@
 namespace cell::cli {
 namespace {
 
-constexpr char kAnotherOut[] = "choose another --out or remove it";
 
 struct RecordingOptions {
   std::string run;
@@ -27,14 +26,14 @@ struct RecordingOptions {
   bool is_exact = false;
 };
 
-int Record(const RecordingOptions& options) {
-  RequireFree(options.out, kAnotherOut);
+int WriteRecording(const RecordingOptions& options) {
+  RequireFree(options.out, kChooseAnotherOut);
   const Recording recording = RecordingOfRun(RunFolder::Open(options.run),
                                              options.episode, CELL_VERSION);
   const std::string text = RecordingToText(
       recording,
       options.is_exact ? std::nullopt : std::optional<int>(options.decimals));
-  WriteNewFile(options.out, text, kAnotherOut);
+  WriteNewFile(options.out, text, kChooseAnotherOut);
   std::cout << fmt::format(
       "{}: {} of {} in {} bytes\n", options.out,
       Counted(static_cast<int64_t>(recording.frames.size()), "frame"),
@@ -72,7 +71,7 @@ void AddSecRecord(CLI::App& sec, Action* action) {
       ->excludes(decimals);
   command->callback([=] {
     *action = [=] {
-      return Record(*options);
+      return WriteRecording(*options);
     };
   });
 }

@@ -24,11 +24,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kGroup[] = "demonstrations";
+constexpr char kDemonstrations[] = "demonstrations";
 // Scripts of the task's demonstrators.yaml, taken in turn.
-constexpr std::array<const char*, 4> kScripts = {
+constexpr std::array<const char*, 4> kShownScripts = {
     "assembly", "assembly_two_hands", "take_backs", "unknown_moves"};
-constexpr double kDeg = std::numbers::pi / 180, kMm = 1e-3;
+constexpr double kDegree = std::numbers::pi / 180, kMillimetre = 1e-3;
 
 /// A level of noise, and what is aimed at there.
 struct Level {
@@ -48,7 +48,7 @@ constexpr std::array<Level, 7> kLevels = {
      {"2 mm, dropouts and swaps", 2, true, 0, 0}}};
 
 /// Testbed and tracker alone.
-Roster RosterOf(const Roster& whole) {
+Roster TestbedAlone(const Roster& whole) {
   Roster roster;
   roster.task = whole.task;
   for (const auto& entry : whole.entries) {
@@ -61,7 +61,7 @@ Roster RosterOf(const Roster& whole) {
 
 Recording Simulate(const Task& task, const std::string& script, uint64_t seed,
                    const Deployment& deployment, const Roster& roster) {
-  SimBus bus(RosterOf(roster), AllServices(deployment, script, seed));
+  SimBus bus(TestbedAlone(roster), AllServices(deployment, script, seed));
   EpisodeRecorder recorder(task, 1, "");
   RunToEnd(bus, [&](const Message& message) { recorder.Put(message); });
   return recorder.recording();
@@ -71,8 +71,8 @@ Recording Simulate(const Task& task, const std::string& script, uint64_t seed,
 NoisyTracks::Params NoiseOf(const Level& level, const PartTable& parts,
                             uint64_t seed) {
   NoisyTracks::Params noise;
-  noise.position_sd = level.mm * kMm;
-  noise.rotation_sd = level.mm * 0.1 * kDeg;
+  noise.position_sd = level.mm * kMillimetre;
+  noise.rotation_sd = level.mm * 0.1 * kDegree;
   noise.seed = seed;
   if (!level.is_interrupted) return noise;
   noise.dropout_probability = 0.005;
@@ -114,14 +114,14 @@ class KeyframesEvaluation final : public Evaluation {
 
   std::vector<Trial> Trials(int runs, uint64_t seed) const override {
     std::vector<Trial> trials;
-    AddTrials(kGroup, runs, seed, &trials);
+    AddTrials(kDemonstrations, runs, seed, &trials);
     return trials;
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
     const Task task = LoadTask(deployment);
-    const char* script = kScripts[trial.seed % kScripts.size()];
+    const char* script = kShownScripts[trial.seed % kShownScripts.size()];
     const Recording recording =
         Simulate(task, script, trial.seed, deployment, roster);
     const auto params = KeyFrameBuilder::Params::Load(deployment, task);
@@ -168,7 +168,7 @@ class KeyframesEvaluation final : public Evaluation {
   static std::vector<ContactEvent> EventsIn(TrackStream& tracks,
                                             const Level& level,
                                             KeyFrameBuilder::Params params) {
-    params.smoother.position_sd = level.mm * kMm;
+    params.smoother.position_sd = level.mm * kMillimetre;
     KeyFrameBuilder builder(params);
     std::vector<KeyFrame> frames;
     while (const auto now = tracks.Next()) {

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-ChainFigure Figure() {
+ChainFigure TwoColumns() {
   ChainFigure figure;
   TouchGraph graph = {{{"block", "hand<1>"}, Relation::kNotTouching},
                       {{"block", "table"}, Relation::kTouching}};
@@ -37,7 +37,7 @@ std::string Svg(const ChainFigure& figure) {
   return canvas.ToText();
 }
 
-int Count(const std::string& text, const std::string& word) {
+int CountOf(const std::string& text, const std::string& word) {
   int count = 0;
   for (size_t at = text.find(word); at != std::string::npos;
        at = text.find(word, at + 1)) {
@@ -47,34 +47,34 @@ int Count(const std::string& text, const std::string& word) {
 }
 
 TEST(ChainFigure, AsSvgHasEveryEntryAndEveryNode) {
-  const std::string svg = Svg(Figure());
+  const std::string svg = Svg(TwoColumns());
   EXPECT_THAT(svg, HasSubstr(">1.50 s<"));
   EXPECT_THAT(svg, HasSubstr(">block, table<"));
-  EXPECT_EQ(Count(svg, ">9<"), 1);
-  EXPECT_EQ(Count(svg, "<circle"), 3 + 2 * 3);     // legend, and two graphs
-  EXPECT_EQ(Count(svg, "stroke-width=\"3\""), 1);  // touching
-  EXPECT_EQ(Count(svg, "stroke-width=\"6\""), 1);  // overlapping
-  EXPECT_EQ(Count(svg, "<image"), 0);
+  EXPECT_EQ(CountOf(svg, ">9<"), 1);
+  EXPECT_EQ(CountOf(svg, "<circle"), 3 + 2 * 3);     // legend, and two graphs
+  EXPECT_EQ(CountOf(svg, "stroke-width=\"3\""), 1);  // touching
+  EXPECT_EQ(CountOf(svg, "stroke-width=\"6\""), 1);  // overlapping
+  EXPECT_EQ(CountOf(svg, "<image"), 0);
 }
 
 TEST(ChainFigure, NamesAreEscaped) {
-  EXPECT_THAT(Svg(Figure()), HasSubstr("hand&lt;1&gt;"));
-  EXPECT_THAT(Svg(Figure()), Not(HasSubstr("hand<1>")));
+  EXPECT_THAT(Svg(TwoColumns()), HasSubstr("hand&lt;1&gt;"));
+  EXPECT_THAT(Svg(TwoColumns()), Not(HasSubstr("hand<1>")));
 }
 
 TEST(ChainFigure, PicturesAreEmbeddedAsPng) {
-  ChainFigure figure = Figure();
+  ChainFigure figure = TwoColumns();
   const auto height = SizeOf(figure)[1];
   RgbImage picture{30, 20, {}};
   picture.pixels.assign(600, {255, 0, 0});
   figure.pictures = {picture, picture};
   EXPECT_GT(SizeOf(figure)[1], height + 20);
   // Bytes 0x89 P N G \r \n in base64.
-  EXPECT_EQ(Count(Svg(figure), "href=\"data:image/png;base64,iVBORw0K"), 2);
+  EXPECT_EQ(CountOf(Svg(figure), "href=\"data:image/png;base64,iVBORw0K"), 2);
 }
 
 TEST(ChainFigure, AsPixelsShowsThePictureWhereItIsInTheSvg) {
-  ChainFigure figure = Figure();
+  ChainFigure figure = TwoColumns();
   constexpr std::array<uint8_t, 3> kRed = {255, 0, 0};
   RgbImage picture{30, 20, {}};
   picture.pixels.assign(600, kRed);
@@ -87,10 +87,10 @@ TEST(ChainFigure, AsPixelsShowsThePictureWhereItIsInTheSvg) {
 }
 
 TEST(ChainFigure, RefusesPicturesAndTitlesOfOtherColumns) {
-  ChainFigure figure = Figure();
+  ChainFigure figure = TwoColumns();
   figure.titles.pop_back();
   EXPECT_THROW(Svg(figure), std::invalid_argument);
-  figure = Figure();
+  figure = TwoColumns();
   figure.pictures.resize(1);
   EXPECT_THROW(Svg(figure), std::invalid_argument);
 }

@@ -16,14 +16,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int64_t kFrame = 96'000;
+constexpr int64_t kCameraPeriod = 96'000;
 constexpr double kSd = 0.002;
 constexpr int kLag = 6;
 
 Tracks At(int frame, const Vector3d& p_WO) {
   Track track{"a", Track::State::kTracked, 1, {}, {}};
   track.X_WO = Eigen::Isometry3d(Eigen::Translation3d(p_WO));
-  return {kFrame * frame, {track}};
+  return {kCameraPeriod * frame, {track}};
 }
 
 // Smoothed positions of a part that a function of the frame moves; frame i is
@@ -40,7 +40,7 @@ std::vector<Vector3d> Smoothed(Path path, int num_frames, uint64_t seed,
     const auto smooth = smoother.Update(At(i, path(i) + error));
     EXPECT_EQ(smooth.has_value(), i >= kLag);
     if (!smooth) continue;
-    EXPECT_EQ(smooth->utime, kFrame * (i - kLag));
+    EXPECT_EQ(smooth->utime, kCameraPeriod * (i - kLag));
     positions.push_back(smooth->tracks[0].X_WO.translation());
   }
   return positions;
@@ -51,7 +51,7 @@ TEST(PoseSmoother, WithoutNoiseTracksComeOutAtOnceAsTheyAre) {
   for (int i = 0; i < 3; ++i) {
     const auto tracks = smoother.Update(At(i, {1.0 * i, 0, 0}));
     ASSERT_TRUE(tracks);
-    EXPECT_EQ(tracks->utime, kFrame * i);
+    EXPECT_EQ(tracks->utime, kCameraPeriod * i);
     EXPECT_EQ(tracks->tracks[0].X_WO.translation().x(), i);
   }
 }
