@@ -4,8 +4,7 @@
 
 namespace cell::cli {
 
-inline constexpr char kChooseAnotherOut[] =
-    "choose another --out or remove it";
+inline constexpr char kChooseAnotherOut[] = "choose another --out or remove it";
 
 // Each adds one subcommand to `cell sec` and, if it is chosen, sets `action`.
 // One file per subcommand: sec_<name>.cc.

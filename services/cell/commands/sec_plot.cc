@@ -84,7 +84,7 @@ bool IsLogFile(const PlotOptions& options) {
 
 Deployment DeploymentOf(const PlotOptions& options) {
   return IsLogFile(options) ? FindCellFiles(options.deploy_dir).deployment
-                         : RunFolder::Open(options.log).deployment;
+                            : RunFolder::Open(options.log).deployment;
 }
 
 /// @throws std::runtime_error naming the log if it has no key frames.
@@ -142,8 +142,9 @@ ChainFigure FigureOf(const ShownEpisode& episode, const PlotOptions& options,
   return figure;
 }
 
-void AddPictures(const ShownEpisode& episode, const std::vector<KeyFrame>& frames,
-                 const Task& task, ChainFigure* figure) {
+void AddPictures(const ShownEpisode& episode,
+                 const std::vector<KeyFrame>& frames, const Task& task,
+                 ChainFigure* figure) {
   if (episode.poses.empty()) return;
   Viewpoint viewpoint;
   viewpoint.focus = "parts";

@@ -17,7 +17,6 @@
 namespace cell::cli {
 namespace {
 
-
 struct RecordingOptions {
   std::string run;
   std::string out;

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
+#include "common/geometry/degree.h"
 #include "common/recordings/noisy_tracks.h"
 #include "common/task/task.h"
 #include "services/cell/recordings/episode_recorder.h"
@@ -28,7 +28,7 @@ constexpr char kDemonstrations[] = "demonstrations";
 // Scripts of the task's demonstrators.yaml, taken in turn.
 constexpr std::array<const char*, 4> kShownScripts = {
     "assembly", "assembly_two_hands", "take_backs", "unknown_moves"};
-constexpr double kDegree = std::numbers::pi / 180, kMillimetre = 1e-3;
+constexpr double kMillimetre = 1e-3;
 
 /// A level of noise, and what is aimed at there.
 struct Level {

@@ -13,11 +13,12 @@ namespace cell::cli {
 namespace {
 
 constexpr int kGap = 12;
-constexpr int kRowHeight = 28;         // height of a line of text
+constexpr int kRowHeight = 28;   // height of a line of text
 constexpr int kMinColumn = 200;  // width
 constexpr int kGraph = 200;      // width and height of a main graph
 constexpr int kNode = 15;        // radius
-constexpr Canvas::Colour kEdgeColour = {40, 40, 40}, kRuleColour = {200, 200, 200};
+constexpr Canvas::Colour kEdgeColour = {40, 40, 40},
+                         kRuleColour = {200, 200, 200};
 
 /// Distinct for the first ten.
 Canvas::Colour ColourOf(size_t node) {
@@ -70,7 +71,9 @@ struct FigureLayout {
     return label_width + 2 * kGap +
            static_cast<int>(column) * (column_width + kGap);
   }
-  int Y(size_t row) const { return matrix_y + static_cast<int>(row) * kRowHeight; }
+  int Y(size_t row) const {
+    return matrix_y + static_cast<int>(row) * kRowHeight;
+  }
   static int WidthOf(const std::string& text) { return TextSize(text, 2)[0]; }
 
   std::vector<std::string> objects;  // sorted; nodes of the graphs
@@ -83,7 +86,8 @@ struct FigureLayout {
 void DrawNames(const ChainFigure& figure, const FigureLayout& layout,
                Canvas* canvas) {
   for (size_t i = 0; i < layout.objects.size(); ++i) {
-    const int y = layout.graphs_y + static_cast<int>(i) * kRowHeight + kRowHeight / 2;
+    const int y =
+        layout.graphs_y + static_cast<int>(i) * kRowHeight + kRowHeight / 2;
     canvas->Disc(kGap + kNode, y, kNode - 2, ColourOf(i));
     canvas->CentredText(kGap + kNode, y, std::to_string(i + 1));
     canvas->Text(2 * kGap + 2 * kNode, y, layout.objects[i]);
@@ -94,8 +98,8 @@ void DrawNames(const ChainFigure& figure, const FigureLayout& layout,
   }
 }
 
-void DrawGraph(const ChainFigure& figure, const FigureLayout& layout, size_t column,
-               Canvas* canvas) {
+void DrawGraph(const ChainFigure& figure, const FigureLayout& layout,
+               size_t column, Canvas* canvas) {
   const size_t num = layout.objects.size();
   const int x = layout.X(column) + layout.column_width / 2;
   const int y = layout.graphs_y + kGraph / 2;
@@ -116,7 +120,8 @@ void DrawGraph(const ChainFigure& figure, const FigureLayout& layout, size_t col
     if (relation != Relation::kTouching && !is_inside) continue;
     const auto& [a, b] = figure.chain.pairs()[row];
     const auto from = place(node_of(a)), to = place(node_of(b));
-    canvas->Line(from[0], from[1], to[0], to[1], is_inside ? 6 : 3, kEdgeColour);
+    canvas->Line(from[0], from[1], to[0], to[1], is_inside ? 6 : 3,
+                 kEdgeColour);
   }
   for (size_t node = 0; node < num; ++node) {
     const auto [node_x, node_y] = place(node);
@@ -125,8 +130,8 @@ void DrawGraph(const ChainFigure& figure, const FigureLayout& layout, size_t col
   }
 }
 
-void DrawColumn(const ChainFigure& figure, const FigureLayout& layout, size_t column,
-                Canvas* canvas) {
+void DrawColumn(const ChainFigure& figure, const FigureLayout& layout,
+                size_t column, Canvas* canvas) {
   const int x = layout.X(column), middle = x + layout.column_width / 2;
   canvas->CentredText(middle, kGap + kRowHeight / 2, figure.titles[column]);
   if (!figure.pictures.empty()) {

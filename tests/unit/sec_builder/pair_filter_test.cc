@@ -44,17 +44,17 @@ TEST(PairFilter, AReleaseIsDatedBackToTheFirstCrossingIfThatWasNotLongAgo) {
     filter.Start({0.001});
     int64_t utime = 0;
     for (int i = 0; i < num_between; ++i) {
-      EXPECT_FALSE(filter.See(utime += kFrame, {0.007}));
-      const bool may_come = kFrame * i < backdate_us;
+      EXPECT_FALSE(filter.See(utime += kFramePeriod, {0.007}));
+      const bool may_come = kFramePeriod * i < backdate_us;
       EXPECT_EQ(filter.pending_since(utime).has_value(), may_come) << i;
     }
-    filter.See(utime += kFrame, {0.011});
-    return filter.See(utime += kFrame, {0.012})->onset / kFrame;
+    filter.See(utime += kFramePeriod, {0.011});
+    return filter.See(utime += kFramePeriod, {0.012})->onset / kFramePeriod;
   };
   EXPECT_EQ(onset_of_release(3, 0), 4);
-  EXPECT_EQ(onset_of_release(3, 3 * kFrame), 1);
-  EXPECT_EQ(onset_of_release(3, 2 * kFrame), 4);
-  EXPECT_EQ(onset_of_release(0, 3 * kFrame), 1);
+  EXPECT_EQ(onset_of_release(3, 3 * kFramePeriod), 1);
+  EXPECT_EQ(onset_of_release(3, 2 * kFramePeriod), 4);
+  EXPECT_EQ(onset_of_release(0, 3 * kFramePeriod), 1);
 }
 
 TEST(PairFilter, BetweenTheThresholdsNothingChanges) {
