@@ -64,7 +64,7 @@ Recording Simulate(const Task& task, const std::string& script, uint64_t seed,
   SimBus bus(TestbedAlone(roster), AllServices(deployment, script, seed));
   EpisodeRecorder recorder(task, 1, "");
   RunToEnd(bus, [&](const Message& message) { recorder.Put(message); });
-  return recorder.recording();
+  return recorder.Finish();
 }
 
 /// Rotations are disturbed by 0.1 degrees for each mm.

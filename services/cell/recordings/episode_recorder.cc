@@ -1,6 +1,7 @@
 #include "services/cell/recordings/episode_recorder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -27,49 +28,59 @@ std::vector<std::string> BodiesOf(const Task& task) {
 EpisodeRecorder::EpisodeRecorder(const Task& task, int number,
                                  const std::string& build)
     : number_(number) {
-  recording_.build = build;
-  recording_.bodies = BodiesOf(task);
-  for (size_t i = 0; i < recording_.bodies.size(); ++i) {
-    index_[recording_.bodies[i]] = i;
+  head_.build = build;
+  head_.bodies = BodiesOf(task);
+  for (size_t i = 0; i < head_.bodies.size(); ++i) {
+    index_[head_.bodies[i]] = i;
   }
 }
 
 void EpisodeRecorder::Put(const Message& message) {
   if (message.channel == "EPISODE") {
     if (const auto m = Decode<episode_t>(message)) OnEpisode(*m);
+  } else if (num_started_ != number_) {
+    return;
   } else if (message.channel == "TRUTH_POSES") {
     if (auto m = Decode<truth_poses_t>(message)) {
       truths_[m->header.utime] = *std::move(m);
     }
-  } else if (message.channel == "TRACKS" && num_started_ == number_) {
-    if (const auto m = Decode<tracks_t>(message)) OnTracks(m->header.utime);
+  } else if (message.channel == "TRACKS") {
+    const auto m = Decode<tracks_t>(message);
+    if (m && m->header.utime >= start_utime_) {
+      track_utimes_.insert(m->header.utime);
+    }
   }
+}
+
+Recording EpisodeRecorder::Finish() const {
+  Recording recording = head_;
+  for (const int64_t utime : track_utimes_) {
+    const auto later = truths_.upper_bound(utime);
+    if (later == truths_.begin()) continue;
+    AddFrame(utime, std::prev(later)->second, &recording);
+  }
+  return recording;
 }
 
 void EpisodeRecorder::OnEpisode(const episode_t& message) {
   if (message.phase != episode_t::START) return;
   if (++num_started_ != number_) return;
   start_utime_ = message.header.utime;
-  recording_.task = message.task;
-  recording_.demonstration = message.demonstration;
-  recording_.seed = static_cast<uint64_t>(message.seed);
+  head_.task = message.task;
+  head_.demonstration = message.demonstration;
+  head_.seed = static_cast<uint64_t>(message.seed);
 }
 
-void EpisodeRecorder::OnTracks(int64_t utime) {
-  auto truth = truths_.upper_bound(utime);
-  if (utime < start_utime_ || truth == truths_.begin()) return;
-  --truth;
-  auto& frames = recording_.frames;
-  if (!frames.empty() && utime <= frames.back().utime) return;
-  Recording::Frame& frame = frames.emplace_back();
+void EpisodeRecorder::AddFrame(int64_t utime, const truth_poses_t& truth,
+                               Recording* recording) const {
+  Recording::Frame& frame = recording->frames.emplace_back();
   frame.utime = utime;
-  frame.poses.resize(recording_.bodies.size());
-  for (const body_pose_t& body : truth->second.bodies) {
+  frame.poses.resize(head_.bodies.size());
+  for (const body_pose_t& body : truth.bodies) {
     const auto index = index_.find(body.name);
     if (index == index_.end()) continue;
     frame.poses[index->second] = body.pose_world_body;
   }
-  truths_.erase(truths_.begin(), truth);
 }
 
 }  // namespace cell::cli

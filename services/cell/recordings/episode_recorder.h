@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 
 #include "cell/episode_t.hpp"
@@ -23,18 +24,21 @@ class EpisodeRecorder {
   void Put(const Message& message);
 
   bool has_episode() const { return num_started_ >= number_; }
-  const Recording& recording() const { return recording_; }
+  /// The recording of what was put; no frames if nothing was.
+  Recording Finish() const;
 
  private:
   void OnEpisode(const episode_t& message);
-  void OnTracks(int64_t utime);
+  void AddFrame(int64_t utime, const truth_poses_t& truth,
+                Recording* recording) const;
 
-  Recording recording_;
+  Recording head_;  // without frames
   int number_;
   int num_started_ = 0;
   int64_t start_utime_ = 0;
   std::map<std::string, size_t> index_;      // of bodies
-  std::map<int64_t, truth_poses_t> truths_;  // by utime; older ones are dropped
+  std::set<int64_t> track_utimes_;           // of the episode
+  std::map<int64_t, truth_poses_t> truths_;  // of the episode, by utime
 };
 
 }  // namespace cell::cli

@@ -21,12 +21,13 @@ Recording RecordingOfRun(const RunFolder& run, int number,
     throw std::runtime_error(fmt::format("{}: the log has no episode {}",
                                          run.path.string(), number));
   }
-  if (recorder.recording().frames.empty()) {
+  Recording recording = recorder.Finish();
+  if (recording.frames.empty()) {
     throw std::runtime_error(fmt::format(
         "{}: episode {} of the log has no TRUTH_POSES and TRACKS to record",
         run.path.string(), number));
   }
-  return recorder.recording();
+  return recording;
 }
 
 }  // namespace cell::cli
