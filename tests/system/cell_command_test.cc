@@ -217,7 +217,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
         "eval",  "eval watch", "eval assembly", "eval insertion", "check",
         "chain", "view",       "episode",       "hold",           "resume",
         "goal",  "list",       "top",           "record",         "spy",
-        "sec",   "sec import", "eval sec"}) {
+        "sec",   "sec import", "sec plot", "sec record", "eval sec"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

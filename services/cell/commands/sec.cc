@@ -8,10 +8,13 @@ namespace cell::cli {
 void AddSec(CLI::App& app, Action* action) {
   CLI::App* sec = app.add_subcommand(
       "sec",
-      "Work with semantic event chains.\n"
-      "Example: cell sec import pour_01.csv pour_02.csv stir_01.csv");
+      "Work with semantic event chains and the demonstrations they come "
+      "from.\n"
+      "Example: cell sec record runs/sim-0001 --out demonstration.recording");
   sec->require_subcommand(1);
   AddSecImport(*sec, action);
+  AddSecPlot(*sec, action);
+  AddSecRecord(*sec, action);
 }
 
 }  // namespace cell::cli

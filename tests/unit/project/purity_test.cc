@@ -27,6 +27,7 @@ const std::set<std::string> kAdapters = {
     "common/node/run_service.h",               // the flag that a signal sets
     "common/node/service_arguments.cc",        // what systemd names
     "common/node/service_manager.cc",          // the watchdog's time
+    "common/recordings/recording_file.cc",     // reads recordings
     "common/rendering/bands.cc",               // rows on all cores
     "common/text/printable_output.cc",         // what main() prints through
     "common/text/printable_output.h",          //

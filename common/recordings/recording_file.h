@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/recordings/recording.h"
+
+namespace cell {
+
+/// Reads a recording from its file. Storage adapter.
+/// @throws RecordingError "file:line: message", or naming the file if it
+/// cannot be read or is larger than 64 MiB.
+Recording LoadRecording(const std::filesystem::path& path);
+
+}  // namespace cell
