@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/truth_poses_t.hpp"
@@ -49,6 +50,11 @@ class EpisodeRecorder {
       }
     } else if (message.channel == "TRACKS" && num_started_ == number_) {
       if (const auto m = Decode<tracks_t>(message)) OnTracks(m->header.utime);
+    } else if (message.channel == "COMMAND_NAME" && num_started_ == number_) {
+      if (const auto m = Decode<command_name_t>(message)) {
+        recording_.spoken.push_back(
+            {int64_t{message.tick} * kTickUs, m->name, m->is_undone != 0});
+      }
     }
   }
 

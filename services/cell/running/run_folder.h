@@ -31,6 +31,8 @@ struct RunFolder {
   void TakePart(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
+  /// The recognizer of this run knows no action at first, and learns.
+  void LearnFromNothing() const;
   /// Keeps what was asked for: a recording of a cell that others have started
   /// hears it only then. @throws std::runtime_error naming the file.
   void AskFor(const std::string& demonstration, uint64_t seed);

@@ -46,7 +46,7 @@ class RecognitionTest : public testing::Test {
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
-                           task_.MakeSecLibrary(),
+                           task_.MakeLibrary(),
                            task_.MakeSensor(),
                            {}};
 };

@@ -1,1 +1,5 @@
 cell_add_test(unit/sec/event_chain_test.cc LINK cell_sec)
+cell_add_test(unit/sec/learned_model_text_test.cc LINK cell_sec cell_task cell_tracker)
+cell_add_test(unit/sec/role_matching_test.cc LINK cell_sec)
+cell_add_test(unit/sec/sec_learner_test.cc LINK cell_recognizer cell_task cell_tracker)
+cell_add_test(unit/sec/learned_library_test.cc LINK cell_recognizer cell_task cell_tracker)
