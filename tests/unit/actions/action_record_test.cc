@@ -110,7 +110,7 @@ TEST_F(Records, AreRefusedForAReason) {
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\ncolour: red"; }),
               HasSubstr("LayAside:sec.colour: not known"));
   EXPECT_THAT(ReasonFor([](auto& r) {
-                r.sec.replace(r.sec.find("square_peg"), 10, "movable");
+                r.sec.replace(r.sec.find("square_peg"), 10, "peg");
               }),
               HasSubstr("LayAside:sec.roles: should be the arguments of "
                         "LayAside, or narrower: X: square_peg, "));
