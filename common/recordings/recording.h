@@ -19,8 +19,8 @@ namespace cell {
 /// empty line or one that begins with '#' is a comment:
 ///
 ///   cell-recording 1             format and version, always the first line
-///   task cranfield               folder under deploy/tasks
-///   demonstration two_pegs       script of the demonstrator
+///   task blocks                  folder under deploy/tasks
+///   demonstration stack          script of the demonstrator
 ///   seed 7                       of the run
 ///   build 0.9                    of the cell that simulated it
 ///   body hand_left.palm          a part, or <hand>.<box>; numbered from 0

@@ -9,6 +9,7 @@
 #include "common/scene/track.h"
 #include "common/task/task.h"
 #include "services/sec_builder/key_frame_extractor.h"
+#include "services/sec_builder/pose_smoother.h"
 #include "services/sec_builder/proximity.h"
 
 namespace cell::sec_builder {
@@ -22,6 +23,7 @@ class KeyFrameBuilder {
     PartTable parts;
     ProximitySensor::Params proximity;
     KeyFrameExtractor::Params extractor;
+    PoseSmoother::Params smoother;
 
     /// Of sec_builder.yaml. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment, const Task& task);
@@ -38,6 +40,7 @@ class KeyFrameBuilder {
 
  private:
   Params params_;
+  PoseSmoother smoother_;
   ProximitySensor sensor_;
   KeyFrameExtractor extractor_;
 };

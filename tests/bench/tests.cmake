@@ -13,6 +13,10 @@ target_compile_definitions(watching_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(watching_bench PRIVATE cell_tracker cell_sec_builder
   cell_recognizer benchmark::benchmark cell_warnings)
+add_executable(sec_bench bench/sec_bench.cc)
+target_include_directories(sec_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(sec_bench PRIVATE cell_sec_builder fmt::fmt
+  benchmark::benchmark cell_warnings)
 add_executable(arm_loop_bench bench/arm_loop_bench.cc)
 target_include_directories(arm_loop_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(arm_loop_bench PRIVATE cell_cli fmt::fmt Threads::Threads

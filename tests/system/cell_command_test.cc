@@ -218,7 +218,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "learn",      "learn sec",     "name",
                               "goal",       "list",          "top",
                               "record",     "spy",           "sec",
-                              "sec record"}) {
+                              "sec record", "sec plot"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -59,12 +59,12 @@ TEST_F(RecordingOfARun, GivesTheKeyFramesOfItsLog) {
   ASSERT_EQ(
       Cell("sim --seed 5 --demonstration two_pegs+two_pegs --out run").code, 0);
   const auto of_log = KeyFramesOfTheLog();
-  ASSERT_GT(of_log.size(), 20u);
+  ASSERT_GT(of_log.size(), 15u);
   const RunFolder run = RunFolder::Open((dir_ / "run").string());
   std::vector<key_frame_t> exact, rounded;
   for (const int episode : {1, 2}) {
     const Recording recording = RecordingOfRun(run, episode, "test");
-    EXPECT_EQ(recording.seed, 5u);
+    EXPECT_EQ(recording.seed, episode == 1 ? 5u : 6u);
     EXPECT_EQ(recording.demonstration, "two_pegs");
     for (const auto& [decimals, frames] :
          {std::pair{std::optional<int>(), &exact}, {5, &rounded}}) {

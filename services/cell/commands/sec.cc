@@ -1,81 +1,9 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
 
-#include "common/files/draft.h"
-#include "common/node/number_option.h"
-#include "common/recordings/recording_text.h"
-#include "common/text/counted.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/recordings/run_recording.h"
-#include "services/cell/running/run_folder.h"
+#include "services/cell/commands/sec_commands.h"
 
 namespace cell::cli {
-namespace {
-
-constexpr char kAnotherOut[] = "choose another --out or remove it";
-
-struct RecordingOptions {
-  std::string run;
-  std::string out;
-  int episode = 1;
-  int decimals = 5;
-  bool is_exact = false;
-};
-
-int Record(const RecordingOptions& options) {
-  RequireFree(options.out, kAnotherOut);
-  const Recording recording = RecordingOfRun(RunFolder::Open(options.run),
-                                             options.episode, CELL_VERSION);
-  const std::string text = RecordingToText(
-      recording,
-      options.is_exact ? std::nullopt : std::optional<int>(options.decimals));
-  WriteNewFile(options.out, text, kAnotherOut);
-  std::cout << fmt::format(
-      "{}: {} of {} in {} bytes\n", options.out,
-      Counted(static_cast<int64_t>(recording.frames.size()), "frame"),
-      Counted(static_cast<int64_t>(recording.bodies.size()), "body", "bodies"),
-      text.size());
-  return 0;
-}
-
-void AddRecordCommand(CLI::App& sec, Action* action) {
-  auto options = std::make_shared<RecordingOptions>();
-  CLI::App* command = sec.add_subcommand(
-      "record",
-      "Write the true poses of parts and hands of a simulated episode as a "
-      "recording: text, to learn and to evaluate from without simulating "
-      "again.\n"
-      "Example: cell sec record runs/sim-0001 --out demonstration.recording");
-  command->add_option("run", options->run, "run folder")->required();
-  command->add_option("--out", options->out, "file to create")->required();
-  command
-      ->add_option("--episode", options->episode,
-                   "number of the episode, from "
-                   "1")
-      ->check(NumberIn(1, 1'000'000))
-      ->capture_default_str();
-  CLI::Option* decimals = command
-                              ->add_option("--decimals", options->decimals,
-                                           "decimal places of positions in m")
-                              ->check(NumberIn(3, 12))
-                              ->capture_default_str();
-  command
-      ->add_flag("--exact", options->is_exact,
-                 "every number as it was measured: larger")
-      ->excludes(decimals);
-  command->callback([=] {
-    *action = [=] {
-      return Record(*options);
-    };
-  });
-}
-
-}  // namespace
 
 void AddSec(CLI::App& app, Action* action) {
   CLI::App* sec = app.add_subcommand(
@@ -84,7 +12,8 @@ void AddSec(CLI::App& app, Action* action) {
       "from.\n"
       "Example: cell sec record runs/sim-0001 --out demonstration.recording");
   sec->require_subcommand(1);
-  AddRecordCommand(*sec, action);
+  AddSecRecord(*sec, action);
+  AddSecPlot(*sec, action);
 }
 
 }  // namespace cell::cli

@@ -1,11 +1,11 @@
 #include "services/cell/pictures/scene_picture.h"
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "common/geometry/degree.h"
 #include "common/geometry/pose.h"
 #include "common/imaging/png_file.h"
 #include "common/layout/cell_layout.h"
@@ -54,7 +54,6 @@ std::vector<Eigen::Vector3d> PointsOf(
 }
 
 PictureShape ShapeOf(const Viewpoint& view) {
-  constexpr double kDegree = std::numbers::pi / 180;
   constexpr double kHorizontalViewRad = 50 * kDegree;
   return {.azimuth_rad = view.azimuth_deg * kDegree,
           .elevation_rad = view.elevation_deg * kDegree,
@@ -93,11 +92,8 @@ void LabelParts(const RenderScene& scene, const PartTable& parts,
 
 }  // namespace
 
-std::map<std::string, int> DrawScene(const Deployment& deployment,
-                                     const truth_poses_t& poses,
-                                     const Viewpoint& viewpoint,
-                                     const std::filesystem::path& path) {
-  const Task task = LoadTask(deployment);
+ScenePicture PictureOf(const Task& task, const truth_poses_t& poses,
+                       const Viewpoint& viewpoint) {
   const RenderScene scene(BodiesOf(task.parts, task.layout));
   std::map<std::string, Eigen::Isometry3d> X_WO;
   for (const body_pose_t& body : poses.bodies) {
@@ -112,15 +108,26 @@ std::map<std::string, int> DrawScene(const Deployment& deployment,
       CameraThatFrames(PointsOf(viewpoint.focus, scene, task.parts, X_WO),
                        ShapeOf(viewpoint)),
       params);
-  RgbImage picture = viewpoint.is_of_ids ? image.IdPicture() : image.colour;
-  if (viewpoint.has_labels) LabelParts(scene, task.parts, image, &picture);
-  WritePng(path, picture);
-  std::map<std::string, int> num_pixels;
+  ScenePicture picture{viewpoint.is_of_ids ? image.IdPicture() : image.colour,
+                       {}};
+  if (viewpoint.has_labels) {
+    LabelParts(scene, task.parts, image, &picture.image);
+  }
   for (const auto& [id, num] : image.NumPixels()) {
     if (id < 0) continue;
-    num_pixels[scene.bodies()[static_cast<size_t>(id)].name] = num;
+    picture.num_pixels[scene.bodies()[static_cast<size_t>(id)].name] = num;
   }
-  return num_pixels;
+  return picture;
+}
+
+std::map<std::string, int> DrawScene(const Deployment& deployment,
+                                     const truth_poses_t& poses,
+                                     const Viewpoint& viewpoint,
+                                     const std::filesystem::path& path) {
+  const ScenePicture picture =
+      PictureOf(LoadTask(deployment), poses, viewpoint);
+  WritePng(path, picture.image);
+  return picture.num_pixels;
 }
 
 }  // namespace cell::cli

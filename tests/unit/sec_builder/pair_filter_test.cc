@@ -11,7 +11,7 @@ namespace cell {
 using namespace sec_builder;
 namespace {
 
-constexpr int64_t kFrame = 96'000;
+constexpr int64_t kFramePeriod = 96'000;
 
 // Changes that a series of distances [mm] gives, one frame each.
 std::vector<PairFilter::Change> Changes(const std::vector<double>& distances,
@@ -21,7 +21,7 @@ std::vector<PairFilter::Change> Changes(const std::vector<double>& distances,
   filter.Start({distances.front() * 1e-3});
   std::vector<PairFilter::Change> changes;
   for (size_t i = 0; i < distances.size(); ++i) {
-    const int64_t utime = start + kFrame * static_cast<int64_t>(i);
+    const int64_t utime = start + kFramePeriod * static_cast<int64_t>(i);
     if (const auto change = filter.See(utime, {distances[i] * 1e-3})) {
       changes.push_back(*change);
     }
@@ -33,9 +33,28 @@ TEST(PairFilter, AChangeIsDatedBackToTheFirstFrameThatShowedIt) {
   const auto changes = Changes({20, 15, 3.9, 3, 2, 9, 11, 12});
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].relation, Relation::kTouching);
-  EXPECT_EQ(changes[0].onset, 2 * kFrame);
+  EXPECT_EQ(changes[0].onset, 2 * kFramePeriod);
   EXPECT_EQ(changes[1].relation, Relation::kNotTouching);
-  EXPECT_EQ(changes[1].onset, 6 * kFrame);
+  EXPECT_EQ(changes[1].onset, 6 * kFramePeriod);
+}
+
+TEST(PairFilter, AReleaseIsDatedBackToTheFirstCrossingIfThatWasNotLongAgo) {
+  const auto onset_of_release = [](int num_between, int64_t backdate_us) {
+    PairFilter filter({.confirm_frames = 2, .backdate_us = backdate_us});
+    filter.Start({0.001});
+    int64_t utime = 0;
+    for (int i = 0; i < num_between; ++i) {
+      EXPECT_FALSE(filter.See(utime += kFramePeriod, {0.007}));
+      const bool may_come = kFramePeriod * i < backdate_us;
+      EXPECT_EQ(filter.pending_since(utime).has_value(), may_come) << i;
+    }
+    filter.See(utime += kFramePeriod, {0.011});
+    return filter.See(utime += kFramePeriod, {0.012})->onset / kFramePeriod;
+  };
+  EXPECT_EQ(onset_of_release(3, 0), 4);
+  EXPECT_EQ(onset_of_release(3, 3 * kFramePeriod), 1);
+  EXPECT_EQ(onset_of_release(3, 2 * kFramePeriod), 4);
+  EXPECT_EQ(onset_of_release(0, 3 * kFramePeriod), 1);
 }
 
 TEST(PairFilter, BetweenTheThresholdsNothingChanges) {
@@ -80,8 +99,9 @@ TEST(PairFilter, EveryChangeChangesSomething) {
   filter.Start({0.02});
   Relation relation = filter.relation();
   for (int i = 0; i < 5000; ++i) {
-    const auto change = filter.See(
-        kFrame * i, {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
+    const auto change =
+        filter.See(kFramePeriod * i,
+                   {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
     if (!change) continue;
     EXPECT_NE(change->relation, relation);
     relation = change->relation;
@@ -133,7 +153,7 @@ TEST(PairFilter, WhatIsHiddenHoldsAndDoesNotConfirm) {
   filter.Start({0});
   filter.See(0, {0.02});
   filter.Hide();
-  EXPECT_FALSE(filter.pending_since());
+  EXPECT_FALSE(filter.pending_since(0));
   EXPECT_FALSE(filter.See(2, {0.02}));
   EXPECT_EQ(filter.relation(), Relation::kTouching);
   EXPECT_EQ(filter.See(3, {0.02})->onset, 2);
