@@ -27,6 +27,8 @@ namespace cell {
 /// whether an action that nobody has named yet is read forward.
 class SecLearner {
  public:
+  /// The similarity of event chains by which showings are compared.
+  static constexpr char kMeasure[] = "same_row";
   struct Params {
     /// The least similarity of showings of one action.
     double threshold = 0.6;

@@ -11,7 +11,6 @@
 namespace cell::recognizer {
 namespace {
 
-constexpr char kMeasure[] = "same_row";
 /// Of the effects of an action that was only seen, never planned yet.
 constexpr double kNoise = 0.05;
 
@@ -50,7 +49,8 @@ Action ActionOf(const SecLearner::Action& learned) {
 }  // namespace
 
 Learning::Learning(const ActionModels& actions)
-    : learner_(WordsOf(actions), MakeChainSimilarity(kMeasure), {}) {
+    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure),
+               {}) {
   for (const ActionModel& model : actions.models()) {
     if (model.sec) learner_.Know(model.action.name, *model.sec);
   }

@@ -26,10 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kExtension[] = ".recording";
-constexpr char kFolder[] = "recordings";  // of a task
-constexpr char kAnotherOut[] = "choose another --out or remove it";
-constexpr char kAnotherFolder[] = "choose another --recordings or remove it";
+constexpr char kRecordingExtension[] = ".recording";
+constexpr char kRecordingsFolder[] = "recordings";  // of a task
+constexpr char kOtherModels[] = "choose another --out or remove it";
+constexpr char kOtherRecordings[] = "choose another --recordings or remove it";
 constexpr int kDecimals = 5;  // [m] a hundredth of a millimetre
 
 struct LearnOptions {
@@ -53,10 +53,10 @@ void Simulate(const LearnOptions& options, const Deployment& deployment,
   uint64_t seed = options.seed;
   for (const std::string& script : demonstrations.teaching) {
     const fs::path file =
-        folder / fmt::format("{}-{}{}", script, seed, kExtension);
-    RequireFree(file, kAnotherFolder);
+        folder / fmt::format("{}-{}{}", script, seed, kRecordingExtension);
+    RequireFree(file, kOtherRecordings);
     const Recording recording = Teach(deployment, script, seed++, CELL_VERSION);
-    WriteNewFile(file, RecordingToText(recording, kDecimals), kAnotherFolder);
+    WriteNewFile(file, RecordingToText(recording, kDecimals), kOtherRecordings);
     std::cout << fmt::format(
         "{}: {}, {}\n", file.string(),
         Counted(static_cast<int64_t>(recording.frames.size()), "frame"),
@@ -68,14 +68,14 @@ std::vector<fs::path> RecordingsIn(const fs::path& folder) {
   std::vector<fs::path> files;
   if (fs::is_directory(folder)) {
     for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == kExtension) {
+      if (entry.path().extension() == kRecordingExtension) {
         files.push_back(entry.path());
       }
     }
   }
   if (files.empty()) {
-    throw std::runtime_error(folder.string() + ": has no file *" + kExtension +
-                             "; --simulate makes them");
+    throw std::runtime_error(folder.string() + ": has no file *" +
+                             kRecordingExtension + "; --simulate makes them");
   }
   std::ranges::sort(files);
   return files;
@@ -84,9 +84,9 @@ std::vector<fs::path> RecordingsIn(const fs::path& folder) {
 int LearnSec(const LearnOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   const fs::path folder = options.recordings.empty()
-                              ? deployment.task_dir / kFolder
+                              ? deployment.task_dir / kRecordingsFolder
                               : fs::path(options.recordings);
-  if (!options.out.empty()) RequireFree(options.out, kAnotherOut);
+  if (!options.out.empty()) RequireFree(options.out, kOtherModels);
   if (options.is_simulated) Simulate(options, deployment, folder);
   SecLessons lessons(deployment);
   for (const fs::path& file : RecordingsIn(folder)) {
@@ -102,7 +102,7 @@ int LearnSec(const LearnOptions& options) {
   if (options.out.empty()) {
     std::cout << text;
   } else {
-    WriteNewFile(options.out, text, kAnotherOut);
+    WriteNewFile(options.out, text, kOtherModels);
   }
   return 0;
 }

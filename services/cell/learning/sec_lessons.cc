@@ -18,7 +18,6 @@
 namespace cell::cli {
 namespace {
 
-constexpr char kMeasure[] = "same_row";
 constexpr char kHead[] =
     "# How the task's actions show in event chains. Learned by `cell learn "
     "sec`\n"
@@ -95,7 +94,7 @@ SecLessons::SecLessons(const Deployment& deployment)
       task_(LoadTask(deployment)),
       learner_(std::make_shared<const SceneWords>(
                    SceneWords{task_.domain.vocabulary(), task_.parts}),
-               MakeChainSimilarity(kMeasure), {}) {}
+               MakeChainSimilarity(SecLearner::kMeasure), {}) {}
 
 void SecLessons::Attend(const Recording& recording) {
   const auto task =

@@ -24,7 +24,7 @@ using testing::SizeIs;
 class SecLearnerTest : public testing::Test {
  protected:
   SecLearner New() const {
-    return {show_.words(), MakeChainSimilarity("same_row"), {}};
+    return {show_.words(), MakeChainSimilarity(SecLearner::kMeasure), {}};
   }
   void Name(const std::string& name, bool is_undone = false) {
     ASSERT_TRUE(last_) << "before " << name;
@@ -138,19 +138,22 @@ TEST_F(SecLearnerTest, RefusesANameThatDoesNotFitAndSaysWhy) {
 
 TEST_F(SecLearnerTest, TheOrderOfTheShowingsDoesNotMatter) {
   using Step = std::function<void()>;
-  const auto seat = [this](const char* part, const char* site, const char* name,
-                           double x) -> Step {
+  const Eigen::Isometry3d X_WO_square_peg =
+      show_.stage().PoseOf("square_peg_1");
+  const auto seat = [this](const char* part, const char* site,
+                           const char* name) -> Step {
     return [=, this] {
+      const Eigen::Isometry3d X_WO = show_.stage().PoseOf(part);
       show_.Seat(part, site);
       Name(name);
-      show_.Stand(part, x, -0.35);  // away from all others
+      show_.Manipulate(part, [&] { show_.stage().Put(part, X_WO); });
     };
   };
   const std::vector<Step> steps = {
-      seat("shaft", "base.shaft", "Insert", -0.3),
-      seat("round_peg_1", "base.round_1", "Insert", -0.1),
-      seat("round_peg_2", "base.round_2", "Insert", 0.1),
-      seat("separator", "base.separator", "Separate", 0.3), [this] {
+      seat("shaft", "base.shaft", "Insert"),
+      seat("round_peg_1", "base.round_1", "Insert"),
+      seat("round_peg_2", "base.round_2", "Insert"),
+      seat("separator", "base.separator", "Separate"), [this] {
         show_.Lay("square_peg_1", 0.1, -0.4);
         Name("Raise", true);
       }};
@@ -159,7 +162,7 @@ TEST_F(SecLearnerTest, TheOrderOfTheShowingsDoesNotMatter) {
   std::string first;
   for (int turn = 0; turn < 6; ++turn) {
     learner_ = New();
-    show_.stage().StandAt("square_peg_1", 0.3, -0.4);
+    show_.stage().Put("square_peg_1", X_WO_square_peg);
     for (const size_t i : order) steps[i]();
     std::string all;
     for (const auto& action : learner_.Actions()) {
@@ -193,7 +196,7 @@ TEST_F(SecLearnerTest, GoesOnFromWhatItKnows) {
   EXPECT_FALSE(last_->is_new);
   show_.Seat("head", "pendulum.head");
   EXPECT_TRUE(last_->is_new);
-  EXPECT_THAT(Names(), ElementsAre("Action1", "Action2", "Insert"));
+  EXPECT_THAT(Names(), ElementsAre("Action2", "Action3", "Insert"));
   EXPECT_EQ(ModelOf("Insert").NumShown(), 2);
 }
 
