@@ -8,6 +8,8 @@
 #include <sstream>
 #include <utility>
 
+#include "common/actions/sec_models.h"
+
 namespace cell {
 namespace {
 
@@ -43,7 +45,8 @@ YAML::Node Block(const std::string& text, const std::string& where) {
   throw ConfigError(where + ": not one complete YAML document");
 }
 
-/// The action in the form of a task's domain.yaml, without `undoes`.
+/// The action in the form of a task's domain.yaml, with its event chain and
+/// without `undoes`.
 Config ConfigOf(const ActionRecord& record) {
   YAML::Node node(YAML::NodeType::Map);
   node["arguments"] = YAML::Node(YAML::NodeType::Map);
@@ -147,8 +150,8 @@ ActionModel ReadActionModel(const ActionRecord& record, const Domain& domain,
                       {},
                       record.skill_settings};
     if (config.Has("sec")) {
-      model.sec = SecConditions::FromConfig(
-          config["sec"], model.action.arguments, domain.vocabulary(), parts);
+      model.sec = ReadSecModel(config["sec"], model.action,
+                               {domain.vocabulary(), parts});
     }
     config.Finish();
     return model;

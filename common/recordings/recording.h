@@ -32,6 +32,7 @@ namespace cell {
 ///   0 0.1 -0.2 0.28              its rotation has not changed
 ///   1 gone                       body 1 is not there any more
 ///   said 192000 PlaceBolt        a person named the action [us]
+///   said 288000 Turn undone      it undoes the action
 ///   end 2                        number of frames, always the last line
 ///
 /// A body that has no row in a frame is where it was in the last one, and not
@@ -46,6 +47,7 @@ struct Recording {
   struct SpokenName {
     int64_t utime = 0;
     std::string name;
+    bool is_undone = false;  ///< what was shown undoes the action
   };
 
   std::string task;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view kFormat = "cell-recording";
 constexpr std::string_view kVersion = "1";
+constexpr std::string_view kUndone = "undone";
 constexpr size_t kMaxBodies = 1000;
 constexpr int64_t kMaxUtime = int64_t{1} << 61;  // as messages have it
 constexpr int kQuaternionDecimals = 5;           // PoseFromMessage() wants 1e-4
@@ -210,8 +211,9 @@ class Reader {
   }
 
   void ReadSaid(const Words& words) {
-    if (words.size() != 3 || words[2].empty()) {
-      Fail("must read 'said UTIME NAME'");
+    const bool is_undone = words.size() == 4 && words[3] == kUndone;
+    if ((words.size() != 3 && !is_undone) || words[2].empty()) {
+      Fail("must read 'said UTIME NAME' or 'said UTIME NAME undone'");
     }
     const int64_t utime = Utime(words[1]);
     auto& spoken = recording_.spoken;
@@ -219,7 +221,7 @@ class Reader {
       Fail(fmt::format("said at {}, but the name before it at {}", utime,
                        spoken.back().utime));
     }
-    spoken.push_back({utime, std::string(words[2])});
+    spoken.push_back({utime, std::string(words[2]), is_undone});
   }
 
   void ReadEnd(const Words& words) {
@@ -326,7 +328,9 @@ std::string RecordingToText(const Recording& recording,
   auto said = recording.spoken.begin();
   const auto append_said_before = [&](int64_t utime) {
     for (; said != recording.spoken.end() && said->utime < utime; ++said) {
-      text += fmt::format("said {} {}\n", said->utime, RequireWord(said->name));
+      text +=
+          fmt::format("said {} {}{}\n", said->utime, RequireWord(said->name),
+                      said->is_undone ? " undone" : "");
     }
   };
   for (const Recording::Frame& frame : recording.frames) {

@@ -15,7 +15,8 @@ struct Goal {
   std::vector<Literal> literals;
 };
 
-/// The symbolic level of a task: domain.yaml.
+/// The symbolic level of a task: domain.yaml. How its actions are recognised is
+/// learned: sec_models.yaml.
 ///
 ///   types: {part: object, bolt: part, hole: object}
 ///   constants: {inspector: object}                # optional
@@ -30,7 +31,6 @@ struct Goal {
 ///       arguments: {X: bolt, Y: hole}
 ///       agents: [person, robot]                   # default: both
 ///       undoes: Remove                            # optional
-///       sec: ...
 ///       rules:
 ///         - agents: [person]                     # default: the action's
 ///           context: [fits(X, Y), Free(Y), not InHole(X, _)]
@@ -51,7 +51,7 @@ struct Goal {
 ///     done: [InHole(_, a.h)]
 class Domain {
  public:
-  /// The blocks `geometry` and `sec` are left unread: LoadTask() reads them.
+  /// The blocks `geometry` are left unread: LoadTask() reads them.
   /// @throws ConfigError naming file:key.
   static Domain FromConfig(const Config& config, const PartTable& parts);
 

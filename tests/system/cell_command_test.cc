@@ -212,12 +212,16 @@ TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
 }
 
 TEST_F(CellCommand, EveryCommandShowsAnExample) {
-  for (const char* command :
-       {"",      "demo",       "sim",           "replay",         "diff",
-        "eval",  "eval watch", "eval assembly", "eval insertion", "check",
-        "chain", "view",       "episode",       "hold",           "resume",
-        "goal",  "list",       "top",           "record",         "spy",
-        "sec",   "sec import", "sec plot", "sec record", "eval sec"}) {
+  for (const char* command : {"",           "demo",          "sim",
+                              "replay",     "diff",          "eval",
+                              "eval watch", "eval assembly", "eval insertion",
+                              "check",      "chain",         "view",
+                              "episode",    "hold",          "resume",
+                              "learn",      "learn sec",     "name",
+                              "goal",       "list",          "top",
+                              "record",     "spy",           "sec",
+                              "eval sec",   "sec import",    "sec plot",
+                              "sec record"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -45,7 +45,9 @@ void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);
 void AddSec(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
+void AddLearn(CLI::App& app, Action* action);
 void AddLibrary(CLI::App& app, Action* action);
+void AddName(CLI::App& app, Action* action);
 void AddList(CLI::App& app, Action* action);
 
 }  // namespace cell::cli

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "cell/command_name_t.hpp"
 #include "cell/tracks_t.hpp"
+#include "common/bus/bus.h"
 #include "common/bus/decode.h"
 
 namespace cell::cli {
@@ -43,6 +45,11 @@ void EpisodeRecorder::Put(const Message& message) {
   } else if (message.channel == "TRUTH_POSES") {
     if (auto m = Decode<truth_poses_t>(message)) {
       truths_[m->header.utime] = *std::move(m);
+    }
+  } else if (message.channel == "COMMAND_NAME") {
+    if (const auto m = Decode<command_name_t>(message)) {
+      head_.spoken.push_back(
+          {int64_t{message.tick} * kTickUs, m->name, m->is_undone != 0});
     }
   } else if (message.channel == "TRACKS") {
     const auto m = Decode<tracks_t>(message);

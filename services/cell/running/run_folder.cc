@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/actions/sec_models.h"
 #include "common/files/draft.h"
 
 namespace cell::cli {
@@ -140,6 +141,14 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   YAML::Node planner = YAML::LoadFile(file.string());
   planner["execution"]["help_steps"] = actions;
   WriteFile(file, YAML::Dump(planner) + "\n");
+}
+
+void RunFolder::LearnFromNothing() const {
+  const fs::path file = deployment.config_dir / "recognizer.yaml";
+  YAML::Node recognizer = YAML::LoadFile(file.string());
+  recognizer["learning"] = true;
+  WriteFile(file, YAML::Dump(recognizer) + "\n");
+  WriteFile(deployment.task_dir / kSecModelsFile, "models: {}\n");
 }
 
 void RunFolder::Stopped() const {

@@ -31,6 +31,8 @@ struct RunFolder {
   void EnableServices(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
+  /// The recognizer of this run knows no action at first, and learns.
+  void LearnFromNothing() const;
   /// Keeps the demonstration and seed of the run: a recording of another
   /// process's cell learns them only later. @throws std::runtime_error naming
   /// the file.

@@ -19,6 +19,7 @@ struct RunOptions {
   uint64_t seed = 1;
   std::string out;
   bool has_cameras = false;
+  bool is_from_nothing = false;
   bool is_hash = false;
   bool is_verbose = false;
   std::vector<std::string> help_steps;
