@@ -290,8 +290,9 @@ TEST_F(Sleeping, APartLandsOnASleeper) {
 
 TEST_F(Sleeping, AHandThatHoversAndTouchesIsNoticedAtTheSameTime) {
   Run(1000);
+  const Isometry3d X_WO = world_.PoseOf("shaft");
   const auto place = [&](double above) {
-    return Shifted(world_.PoseOf("shaft"), Vector3d(0, 0, 0.045 + above));
+    return Shifted(X_WO, Vector3d(0, 0, 0.045 + above));
   };
   for (World* world : Both()) {
     world->hands().Place(kHand, place(0.05), 0.01);
@@ -304,17 +305,23 @@ TEST_F(Sleeping, AHandThatHoversAndTouchesIsNoticedAtTheSameTime) {
     });
   };
   bool has_touched = false;
-  for (int tick = 0; tick < 400; ++tick) {
-    const double to =
-        tick < 200 ? 0.05 - 0.0003 * tick : -0.01 + 0.0003 * (tick - 200);
+  // Down for 1.6 s, still for 0.8 s, up again.
+  for (int tick = 0; tick < 500; ++tick) {
+    const double to = tick < 200   ? 0.05 - 0.0003 * tick
+                      : tick < 300 ? -0.01
+                                   : -0.01 + 0.0003 * (tick - 300);
     for (World* world : Both()) {
       world->hands().Move(kHand, place(to), 0.01);
       world->Run(kStepsPerTick);
     }
     ASSERT_EQ(touches(world_), touches(awake_)) << tick;
-    if (touches(world_)) {
-      EXPECT_FALSE(world_.IsAsleep("shaft"));
+    if (touches(world_) && (tick < 200 || tick >= 301)) {
+      EXPECT_FALSE(world_.IsAsleep("shaft")) << tick;
       has_touched = true;
+    }
+    if (tick == 299) {
+      EXPECT_TRUE(world_.IsAsleep("shaft")) << "nothing moves";
+      EXPECT_TRUE(touches(world_));
     }
   }
   EXPECT_TRUE(has_touched);
