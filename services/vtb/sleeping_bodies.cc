@@ -14,10 +14,10 @@ namespace {
 using Eigen::Map;
 using Eigen::Vector3d;
 
-/// A part sleeps after no point of it has moved further than kStill [m] in
-/// kTimeToSleep [s]. Parts at rest in the seats of an assembly drift by 0.5 um
-/// in that time.
-constexpr double kStill = 5e-6, kTimeToSleep = 0.2;
+/// A part sleeps after no point of it has moved further than kStillDistance [m]
+/// in kTimeToSleep [s]. Parts at rest in the seats of an assembly drift by 0.5
+/// um in that time.
+constexpr double kStillDistance = 5e-6, kTimeToSleep = 0.2;
 /// A part wakes when a hand that moves, or another part, comes closer than this
 /// [m], or would within kHorizon [s]. In a step of 1 ms nothing gets that far.
 constexpr double kHandMargin = 0.005, kPartMargin = 0.0005, kHorizon = 0.02;
@@ -184,7 +184,7 @@ void SleepingBodies::Notice(size_t part) {
   Memory& memory = memory_[part];
   if (hands_.IsHeld(static_cast<int>(part))) {
     memory.num_still = 0;
-  } else if (memory.num_still > 0 && DisplacementOf(part) <= kStill) {
+  } else if (memory.num_still > 0 && DisplacementOf(part) <= kStillDistance) {
     ++memory.num_still;
   } else {
     memory.num_still = 1;
