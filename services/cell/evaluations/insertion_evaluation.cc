@@ -9,6 +9,7 @@
 #include "cell/skill_request_t.hpp"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
+#include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/skill_driver.h"
 #include "services/cell/running/service_registry.h"
