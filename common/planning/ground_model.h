@@ -35,7 +35,7 @@ class GroundModel final : public Model {
   class Compiled;
 
   GroundTask task_;
-  int num_words_;
+  int num_words_ = 0;
   std::unique_ptr<Compiled> compiled_;
 };
 

@@ -16,12 +16,16 @@ struct GroundingLimits {
   int max_alternatives = 4096;
 };
 
-/// The task of a PPDDL problem: actions for all objects that fit, without those
-/// whose static conditions fail and those that can never apply; atoms that
-/// never change are replaced by their truth. Costs and rewards are left out.
-/// The reason names what is larger than the limits.
+enum class ConstantAtoms {
+  kReplace,  ///< by their truth, and leave out what can never apply
+  kKeep      ///< for FindExcuses(), which asks what if they were otherwise
+};
+
+/// The task of a PPDDL problem: the actions for all objects that fit. Costs and
+/// rewards are left out. The reason names what is larger than the limits.
 Result<GroundTask> GroundPpddl(const ppddl::Domain& domain,
                                const ppddl::Problem& problem,
+                               ConstantAtoms constants = ConstantAtoms::kReplace,
                                const GroundingLimits& limits = {});
 
 }  // namespace cell::planning

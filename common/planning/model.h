@@ -47,8 +47,8 @@ class Expansion {
 
 /// What can be said of a state before its successors are known.
 struct Estimate {
-  /// The goal is certainly out of reach.
-  bool is_dead_end = false;
+  /// The goal is reached with at most this probability; 0: a dead end.
+  double max_probability = 1;
   /// No way to the goal has fewer actions.
   double least_actions = 0;
   /// How far the goal seems to be; only breaks ties.
