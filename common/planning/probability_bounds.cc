@@ -8,7 +8,7 @@
 namespace cell::planning {
 namespace {
 
-constexpr double kTie = 1e-10;
+constexpr double kTie = 1e-13;
 
 }  // namespace
 
