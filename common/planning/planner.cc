@@ -61,8 +61,8 @@ class Planner::Search {
     const bool is_solved =
         bound_search_.Solve(start, params_.precision, budget_);
     if (bounds_.low(start) <= 0) {
-      plan->probability = {0, bounds_.high(start)};
-      const bool is_proven = bounds_.high(start) <= 0;
+      const bool is_proven = is_solved && !MayReachGoal(start);
+      plan->probability = {0, is_proven ? 0 : bounds_.high(start)};
       plan->status =
           is_proven ? Plan::Status::kNoPlan : Plan::Status::kUndecided;
       plan->reason = is_proven ? "no sequence of actions reaches the goal, "
@@ -82,6 +82,28 @@ class Planner::Search {
     plan->course = CourseFrom(start);
     if (params_.solve_alternatives) SolveAlternatives(start);
     plan->alternatives = AlternativesIn(start);
+  }
+
+  /// Whether a goal is among the states that can be reached, or the budget is
+  /// spent before all are known. A small upper bound alone proves nothing.
+  bool MayReachGoal(int start) {
+    std::vector<int> states = {start};
+    std::set<int> seen = {start};
+    for (size_t i = 0; i < states.size(); ++i) {
+      const int s = states[i];
+      if (graph_.IsGoal(s)) return true;
+      if (bounds_.high(s) <= 0) continue;
+      if (!bound_search_.TryExpand(s, budget_)) return true;
+      const int first = graph_.first_choice(s);
+      for (int c = first; c < first + graph_.num_choices(s); ++c) {
+        for (const auto& outcome : graph_.outcomes(graph_.choice(c))) {
+          if (seen.insert(outcome.state).second) {
+            states.push_back(outcome.state);
+          }
+        }
+      }
+    }
+    return false;
   }
 
   std::string WhyUndecided() const {

@@ -29,3 +29,7 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
+add_executable(planning_bench bench/planning_bench.cc)
+target_include_directories(planning_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(planning_bench PRIVATE cell_planning benchmark::benchmark
+  cell_warnings)

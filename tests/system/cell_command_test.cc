@@ -214,7 +214,8 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
        {"",      "demo",       "sim",           "replay",         "diff",
         "eval",  "eval watch", "eval assembly", "eval insertion", "check",
         "chain", "view",       "episode",       "hold",           "resume",
-        "goal",  "list",       "top",           "record",         "spy"}) {
+        "goal",  "list",       "top",           "record",         "spy",
+        "plan"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -15,7 +15,8 @@ void AddAllCommands(CLI::App& app, Action* action) {
        {AddDemo,    AddSim,     AddList,    AddReplay, AddDiff,   AddEval,
         AddView,    AddChain,   AddCheck,   AddUp,     AddDown,   AddStatus,
         AddTop,     AddDoctor,  AddEpisode, AddHold,   AddResume, AddGoal,
-        AddPrepare, AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes}) {
+        AddPrepare, AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes,
+        AddPlan}) {
     add(app, action);
   }
 }

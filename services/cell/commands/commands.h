@@ -46,5 +46,6 @@ void AddDoctor(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
 void AddLibrary(CLI::App& app, Action* action);
 void AddList(CLI::App& app, Action* action);
+void AddPlan(CLI::App& app, Action* action);
 
 }  // namespace cell::cli
