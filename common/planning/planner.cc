@@ -117,10 +117,10 @@ class Planner::Search {
     ExploredGraph::Outcome best{-1, 0};
     double best_weight = -1;
     for (const auto& outcome : graph_.outcomes(choice)) {
-      const double weight = outcome.state == choice.state
-                                ? 0
-                                : outcome.probability *
-                                      bounds_.low(outcome.state);
+      const double weight =
+          outcome.state == choice.state
+              ? 0
+              : outcome.probability * bounds_.low(outcome.state);
       if (weight > best_weight) {
         best_weight = weight;
         best = outcome;
@@ -137,8 +137,7 @@ class Planner::Search {
       if (index < 0) break;
       const ExploredGraph::Choice& choice = graph_.choice(index);
       const ExploredGraph::Outcome outcome = LikelyOutcome(choice);
-      course.push_back({choice.action,
-                        graph_.model().ActionName(choice.action),
+      course.push_back({choice.action, graph_.model().ActionName(choice.action),
                         outcome.probability});
       state = outcome.state;
     }
@@ -165,16 +164,16 @@ class Planner::Search {
     const int first = graph_.first_choice(start);
     for (int c = first; c < first + graph_.num_choices(start); ++c) {
       const ExploredGraph::Choice& choice = graph_.choice(c);
-      Alternative alternative{choice.action,
-                              graph_.model().ActionName(choice.action),
-                              {0, 0}};
+      Alternative alternative{
+          choice.action, graph_.model().ActionName(choice.action), {0, 0}};
       for (const auto& [next, probability] : graph_.outcomes(choice)) {
         alternative.probability.low += probability * bounds_.low(next);
         alternative.probability.high += probability * bounds_.high(next);
       }
       if (alternative.probability.high <= 0) continue;
       alternatives.push_back(std::move(alternative));
-      if (c == chosen) std::ranges::rotate(alternatives, alternatives.end() - 1);
+      if (c == chosen)
+        std::ranges::rotate(alternatives, alternatives.end() - 1);
     }
     if (chosen >= 0) {
       std::stable_sort(alternatives.begin() + 1, alternatives.end(),
@@ -198,7 +197,9 @@ Planner::Planner(std::shared_ptr<const Model> model, const Params& params)
 
 Planner::~Planner() = default;
 
-Plan Planner::Find(Bits state) { return search_->Find(state); }
+Plan Planner::Find(Bits state) {
+  return search_->Find(state);
+}
 
 std::optional<int> Planner::ActionIn(Bits state) const {
   return search_->ActionIn(state);

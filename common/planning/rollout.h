@@ -8,8 +8,8 @@ namespace cell::planning {
 
 struct Rollouts {
   int num_runs = 0;
-  int num_reached = 0;       ///< runs that ended in a goal
-  double mean_actions = 0;   ///< of those
+  int num_reached = 0;      ///< runs that ended in a goal
+  double mean_actions = 0;  ///< of those
   bool operator==(const Rollouts&) const = default;
 };
 

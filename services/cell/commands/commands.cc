@@ -11,12 +11,11 @@
 namespace cell::cli {
 void AddAllCommands(CLI::App& app, Action* action) {
   app.set_version_flag("--version", "cell " CELL_VERSION);
-  for (const auto add :
-       {AddDemo,    AddSim,     AddList,    AddReplay, AddDiff,   AddEval,
-        AddView,    AddChain,   AddCheck,   AddUp,     AddDown,   AddStatus,
-        AddTop,     AddDoctor,  AddEpisode, AddHold,   AddResume, AddGoal,
-        AddPrepare, AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes,
-        AddPlan}) {
+  for (const auto add : {AddDemo,   AddSim,    AddList,  AddReplay,  AddDiff,
+                         AddEval,   AddView,   AddChain, AddCheck,   AddUp,
+                         AddDown,   AddStatus, AddTop,   AddDoctor,  AddEpisode,
+                         AddHold,   AddResume, AddGoal,  AddPrepare, AddLibrary,
+                         AddRecord, AddLog,    AddSpy,   AddTypes,   AddPlan}) {
     add(app, action);
   }
 }

@@ -66,8 +66,8 @@ void AddExcuses(const ppddl::Domain& domain, const ppddl::Problem& problem,
                 PlanReport* report) {
   planning::GroundingLimits limits;
   limits.max_actions = 100'000;
-  const auto task = planning::GroundPpddl(domain, problem,
-                                planning::ConstantAtoms::kKeep, limits);
+  const auto task = planning::GroundPpddl(
+      domain, problem, planning::ConstantAtoms::kKeep, limits);
   if (!task) return;  // too large to ask what would help
   for (const auto& excuse : FindExcuses(*task).excuses) {
     std::vector<std::string> changes;
@@ -133,9 +133,7 @@ void AddPlan(CLI::App& app, Action* action) {
       "there is no plan and what would allow one. Costs and rewards are "
       "ignored. Exit code 1 without a plan.\n"
       "Example: cell plan --ppddl domain.pddl problem.pddl --json plan.json");
-  command
-      ->add_option("--ppddl", options->files,
-                   "domain file and problem file")
+  command->add_option("--ppddl", options->files, "domain file and problem file")
       ->expected(2)
       ->required();
   command

@@ -105,9 +105,9 @@ void DrawAlternatives(const planning::Plan& plan, int top, Drawing* drawing) {
     drawing->Box(kColumn, y, kBar * low, kRow - 6, "#9cc6e8");
     drawing->Box(kColumn + kBar * low, y, kBar * (high - low), kRow - 6,
                  "none");
-    drawing->Text(kColumn + kBar + 10, y + 15,
-                  fmt::format("{}  [{:.4g}, {:.4g}]", alternative.name, low,
-                              high));
+    drawing->Text(
+        kColumn + kBar + 10, y + 15,
+        fmt::format("{}  [{:.4g}, {:.4g}]", alternative.name, low, high));
   }
 }
 
@@ -120,8 +120,7 @@ void DrawExcuses(const PlanReport& report, int top, Drawing* drawing) {
     while (begin <= excuse.size()) {
       const size_t end = std::min(excuse.find('\n', begin), excuse.size());
       y += kRow;
-      drawing->Text(begin == 0 ? 28 : 44, y,
-                    excuse.substr(begin, end - begin));
+      drawing->Text(begin == 0 ? 28 : 44, y, excuse.substr(begin, end - begin));
       begin = end + 1;
     }
   }

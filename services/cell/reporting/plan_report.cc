@@ -44,13 +44,13 @@ std::string AlternativesText(const Plan& plan) {
   std::string text = "first actions, and the goal's probability after each:\n";
   for (size_t i = 0; i < plan.alternatives.size(); ++i) {
     if (i == kMaxAlternatives) {
-      return text + fmt::format("      and {} more\n",
-                                plan.alternatives.size() - i);
+      return text +
+             fmt::format("      and {} more\n", plan.alternatives.size() - i);
     }
     const planning::Alternative& alternative = plan.alternatives[i];
-    text += fmt::format("      {:40} [{:.6g}, {:.6g}]\n", alternative.name,
-                        alternative.probability.low,
-                        alternative.probability.high);
+    text +=
+        fmt::format("      {:40} [{:.6g}, {:.6g}]\n", alternative.name,
+                    alternative.probability.low, alternative.probability.high);
   }
   return text;
 }
@@ -106,10 +106,10 @@ std::string ToText(const PlanReport& report) {
   if (!plan.reason.empty()) text += "reason: " + plan.reason + "\n";
   if (plan.status == Plan::Status::kFound) {
     text += "probability: " + ProbabilityText(plan.probability) + "\n";
-    text += fmt::format("expected actions: {:.9g}, {}\n", plan.expected_actions,
-                        plan.is_shortest
-                            ? "the fewest of the most probable plans"
-                            : "not proven to be the fewest");
+    text +=
+        fmt::format("expected actions: {:.9g}, {}\n", plan.expected_actions,
+                    plan.is_shortest ? "the fewest of the most probable plans"
+                                     : "not proven to be the fewest");
     text += CourseText(plan) + AlternativesText(plan);
   } else if (plan.status == Plan::Status::kUndecided) {
     text += "probability: " + ProbabilityText(plan.probability) + "\n";
@@ -132,9 +132,8 @@ json ToJson(const PlanReport& report) {
   }
   json alternatives = json::array();
   for (const planning::Alternative& alternative : plan.alternatives) {
-    alternatives.push_back(
-        {{"action", alternative.name},
-         {"interval", ToJson(alternative.probability)}});
+    alternatives.push_back({{"action", alternative.name},
+                            {"interval", ToJson(alternative.probability)}});
   }
   json excuses = json::array();
   for (size_t i = 0; i < report.excuses.size(); ++i) {

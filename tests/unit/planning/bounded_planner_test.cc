@@ -29,9 +29,9 @@ TEST(BoundedPlanner, TheBestOfTwoWaysIsFound) {
 
   // With a certain way from m besides, the bridge is tried first.
   const Plan road = PlanOf(TaskOf(
-      kCourier, With(With(kDelivery, "m t - town", "m n o t - town"),
-                     "(bridge m t)",
-                     "(bridge m t) (road m n) (road n o) (road o t)")));
+      kCourier,
+      With(With(kDelivery, "m t - town", "m n o t - town"), "(bridge m t)",
+           "(bridge m t) (road m n) (road n o) (road o t)")));
   EXPECT_EQ(road.probability.low, 1);
   EXPECT_NEAR(road.expected_actions, 2 + 1 + (1 + 0.25 * 3) + 1, 1e-9);
 }
@@ -39,11 +39,12 @@ TEST(BoundedPlanner, TheBestOfTwoWaysIsFound) {
 TEST(BoundedPlanner, AlternativesHaveIntervals) {
   Planner::Params params;
   params.solve_alternatives = true;
-  const GroundTask task = Propositional(
-      2, "(:action safe :effect (probabilistic 0.9 (p0) 0.1 (p1)))"
-         "(:action risky :precondition (not (p1)) :effect "
-         "(probabilistic 0.5 (p0) 0.5 (p1)))",
-      "", "(and (p0) (not (p1)))");
+  const GroundTask task =
+      Propositional(2,
+                    "(:action safe :effect (probabilistic 0.9 (p0) 0.1 (p1)))"
+                    "(:action risky :precondition (not (p1)) :effect "
+                    "(probabilistic 0.5 (p0) 0.5 (p1)))",
+                    "", "(and (p0) (not (p1)))");
   const Plan plan = PlanOf(task, params);
   ASSERT_EQ(plan.alternatives.size(), 2u);
   EXPECT_EQ(plan.alternatives[0].name, "safe()");
@@ -52,8 +53,8 @@ TEST(BoundedPlanner, AlternativesHaveIntervals) {
 }
 
 TEST(BoundedPlanner, TheReasonIsGivenWithoutAPlan) {
-  const Plan none = PlanOf(
-      TaskOf(kCourier, With(kDelivery, "(bridge m t)", "(broken)")));
+  const Plan none =
+      PlanOf(TaskOf(kCourier, With(kDelivery, "(bridge m t)", "(broken)")));
   EXPECT_EQ(none.status, Plan::Status::kNoPlan);
   EXPECT_THAT(none.reason, HasSubstr("no sequence of actions"));
   EXPECT_EQ(none.probability, (Interval{0, 0}));
@@ -74,18 +75,18 @@ TEST(BoundedPlanner, TheReasonIsGivenWithoutAPlan) {
 TEST(BoundedPlanner, AnUpperBoundIsNotCaughtInAnEndComponent) {
   // p0 and p1 can be swapped for ever; the only way on succeeds with 0.3.
   const Plan plan = PlanOf(Propositional(
-      5, "(:action f :precondition (p0) :effect (and (p1) (not (p0))))"
-         "(:action g :precondition (p1) :effect (and (p0) (not (p1))))"
-         "(:action h :precondition (and (p0) (not (p4))) :effect (and (p4) "
-         "(probabilistic 0.3 (p3))))",
+      5,
+      "(:action f :precondition (p0) :effect (and (p1) (not (p0))))"
+      "(:action g :precondition (p1) :effect (and (p0) (not (p1))))"
+      "(:action h :precondition (and (p0) (not (p4))) :effect (and (p4) "
+      "(probabilistic 0.3 (p3))))",
       "(p0)", "(p3)"));
   EXPECT_NEAR(plan.probability.high, 0.3, 1e-9);
   EXPECT_NEAR(plan.probability.low, 0.3, 1e-9);
 }
 
 TEST(BoundedPlanner, ExecutedPlansReachTheGoalAsOftenAsPromised) {
-  const auto model =
-      std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
+  const auto model = std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
   Planner planner(model, {});
   planner.Find(model->initial());
   const Rollouts rollouts =
@@ -97,22 +98,20 @@ TEST(BoundedPlanner, ExecutedPlansReachTheGoalAsOftenAsPromised) {
 }
 
 TEST(BoundedPlanner, OutsideItsPlanItDoesNothing) {
-  const auto model =
-      std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
+  const auto model = std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
   Planner planner(model, {});
   EXPECT_EQ(planner.ActionIn(model->initial()), std::nullopt);
   planner.Find(model->initial());
   const auto action = planner.ActionIn(model->initial());
   ASSERT_TRUE(action.has_value());
   EXPECT_EQ(model->ActionName(*action), "load(x, depot)");
-  EXPECT_EQ(planner.ActionIn(model->Pack(std::vector<bool>(
-                model->task().atoms.size()))),
+  EXPECT_EQ(planner.ActionIn(
+                model->Pack(std::vector<bool>(model->task().atoms.size()))),
             std::nullopt);
 }
 
 TEST(BoundedPlanner, WrongStatesAndTasksThrow) {
-  const auto model =
-      std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
+  const auto model = std::make_shared<GroundModel>(TaskOf(kCourier, kDelivery));
   const std::vector<uint64_t> long_state(2);
   EXPECT_THROW(Planner(model, {}).Find(long_state), std::invalid_argument);
   EXPECT_THROW(model->Pack({}), std::invalid_argument);

@@ -38,7 +38,9 @@ TEST(EndComponents, ALongChainNeedsNoDeepStack) {
 /// By definition: the largest sets of nodes that are closed under some choices
 /// and strongly connected by them, tried one by one.
 bool IsEndComponent(const LocalGraph& graph, unsigned set) {
-  const auto is_in = [&](int node) { return (set >> node & 1) != 0; };
+  const auto is_in = [&](int node) {
+    return (set >> node & 1) != 0;
+  };
   std::vector<unsigned> reach(graph.size());
   bool has_choice = true;
   for (size_t node = 0; node < graph.size(); ++node) {

@@ -29,11 +29,11 @@ std::set<std::string> AtomsOf(const GroundTask& task) {
 
 TEST(GroundPpddl, OnlyWhatCanApplyIsKept) {
   const GroundTask task = TaskOf(kCourier, kDelivery);
-  EXPECT_THAT(NamesOf(task),
-              UnorderedElementsAre(
-                  "drive(depot, m)", "drive(m, depot)", "cross(m, t)",
-                  "load(x, depot)", "load(x, m)", "load(x, t)",
-                  "unload(x, depot)", "unload(x, m)", "unload(x, t)"));
+  EXPECT_THAT(
+      NamesOf(task),
+      UnorderedElementsAre("drive(depot, m)", "drive(m, depot)", "cross(m, t)",
+                           "load(x, depot)", "load(x, m)", "load(x, t)",
+                           "unload(x, depot)", "unload(x, m)", "unload(x, t)"));
   EXPECT_THAT(AtomsOf(task),
               UnorderedElementsAre("at(depot)", "at(m)", "at(t)", "broken()",
                                    "in(x, depot)", "in(x, m)", "in(x, t)",
@@ -41,8 +41,7 @@ TEST(GroundPpddl, OnlyWhatCanApplyIsKept) {
 }
 
 TEST(GroundPpddl, ConstantAtomsCanBeKept) {
-  const GroundTask task =
-      TaskOf(kCourier, kDelivery, ConstantAtoms::kKeep);
+  const GroundTask task = TaskOf(kCourier, kDelivery, ConstantAtoms::kKeep);
   EXPECT_THAT(AtomsOf(task), testing::Contains("road(m, t)"));
   EXPECT_THAT(NamesOf(task), testing::Contains("drive(m, t)"));
 }
@@ -52,10 +51,10 @@ TEST(GroundPpddl, QuantifiersRunOverTheObjectsOfTheirTypes) {
       "(define (domain d) (:types a b) (:predicates (p ?x - a) (q ?x - b)) "
       "(:action all :precondition (forall (?x - a) (p ?x)) "
       "  :effect (forall (?y - b) (q ?y))))";
-  const GroundTask task = TaskOf(
-      domain,
-      "(define (problem p) (:domain d) (:objects a1 a2 - a b1 b2 - b) "
-      "(:init (p a1) (p a2)) (:goal (forall (?y - b) (q ?y))))");
+  const GroundTask task =
+      TaskOf(domain,
+             "(define (problem p) (:domain d) (:objects a1 a2 - a b1 b2 - b) "
+             "(:init (p a1) (p a2)) (:goal (forall (?y - b) (q ?y))))");
   ASSERT_THAT(task.actions, SizeIs(1));
   EXPECT_EQ(task.actions[0].precondition, Conjunction{}) << "always true";
   EXPECT_EQ(PlanOf(task).probability.low, 1);
@@ -63,35 +62,39 @@ TEST(GroundPpddl, QuantifiersRunOverTheObjectsOfTheirTypes) {
 
 TEST(GroundPpddl, DisjunctionsBecomeClausesOrActions) {
   // Literals stay one action with a clause.
-  const GroundTask clause = Propositional(
-      4, "(:action f :effect (probabilistic 0.5 (p0) 0.5 (p1)))"
-         "(:action g :precondition (or (p0) (p1)) :effect (p3))",
-      "", "(p3)");
+  const GroundTask clause =
+      Propositional(4,
+                    "(:action f :effect (probabilistic 0.5 (p0) 0.5 (p1)))"
+                    "(:action g :precondition (or (p0) (p1)) :effect (p3))",
+                    "", "(p3)");
   EXPECT_THAT(clause.actions, SizeIs(2));
   EXPECT_EQ(PlanOf(clause).probability.low, 1);
   // Conjunctions need several.
   const GroundTask several = Propositional(
-      4, "(:action f :effect (probabilistic 0.5 (p0) 0.5 (p1)))"
-         "(:action g :precondition (or (and (p0) (not (p1))) (and (p1) (not "
-         "(p0)))) :effect (p3))",
+      4,
+      "(:action f :effect (probabilistic 0.5 (p0) 0.5 (p1)))"
+      "(:action g :precondition (or (and (p0) (not (p1))) (and (p1) (not "
+      "(p0)))) :effect (p3))",
       "", "(p3)");
   EXPECT_THAT(several.actions, SizeIs(3));
   EXPECT_EQ(PlanOf(several).probability.low, 1);
 }
 
 TEST(GroundPpddl, IndependentProbabilisticEffectsMultiply) {
-  const GroundTask task = Propositional(
-      3, "(:action f :precondition (p2) :effect (and (not (p2)) "
-         "(probabilistic 0.5 (p0)) (probabilistic 0.25 (p1))))",
-      "(p2)", "(and (p0) (p1))");
+  const GroundTask task =
+      Propositional(3,
+                    "(:action f :precondition (p2) :effect (and (not (p2)) "
+                    "(probabilistic 0.5 (p0)) (probabilistic 0.25 (p1))))",
+                    "(p2)", "(and (p0) (p1))");
   EXPECT_DOUBLE_EQ(PlanOf(task).probability.low, 0.125);
 }
 
 TEST(GroundPpddl, ConditionsAreThoseBeforeTheActionAndAdditionsCountLast) {
-  const GroundTask task = Propositional(
-      3, "(:action f :effect (and (p0) (not (p0)) (when (p0) (p1)) "
-         "(when (not (p0)) (p2))))",
-      "", "(and (p0) (p1) (p2))");
+  const GroundTask task =
+      Propositional(3,
+                    "(:action f :effect (and (p0) (not (p0)) (when (p0) (p1)) "
+                    "(when (not (p0)) (p2))))",
+                    "", "(and (p0) (p1) (p2))");
   const Plan plan = PlanOf(task);
   EXPECT_EQ(plan.probability.low, 1);
   EXPECT_EQ(plan.expected_actions, 2) << "p2 at first, p1 the second time";
@@ -117,12 +120,11 @@ TEST(GroundPpddl, TooLargeTasksAreRefusedWithTheReason) {
       "(p ?a)))))",
       "d");
   const auto problem = ppddl::ParseProblem(
-      "(define (problem p) (:domain d) (:objects" + objects +
-          ") (:goal (q)))",
+      "(define (problem p) (:domain d) (:objects" + objects + ") (:goal (q)))",
       "p", domain);
-  EXPECT_THAT(GroundPpddl(domain, problem, ConstantAtoms::kReplace, {1000})
-                  .reason(),
-              HasSubstr("more than 1000 ground actions, at f"));
+  EXPECT_THAT(
+      GroundPpddl(domain, problem, ConstantAtoms::kReplace, {1000}).reason(),
+      HasSubstr("more than 1000 ground actions, at f"));
   const auto few = ppddl::ParseProblem(
       "(define (problem p) (:domain d) (:objects a b c d e f g h i j k l m n) "
       "(:goal (q)))",

@@ -64,8 +64,8 @@ goals:
 class GroundRulesTest : public testing::Test {
  protected:
   GroundRulesTest()
-      : domain_(Domain::FromConfig(Config::Parse(kTable, "table"),
-                                   PartTable())),
+      : domain_(
+            Domain::FromConfig(Config::Parse(kTable, "table"), PartTable())),
         rules_(RuleSet::FromDomain(domain_)) {}
 
   State Random(std::mt19937_64& random) const {
@@ -89,12 +89,10 @@ class GroundRulesTest : public testing::Test {
     double rest = 1;
     if (covers.size() == 1) {
       const NdrRule& rule =
-          rules_->ActionOf(action)
-              .rules[static_cast<size_t>(covers[0].rule)];
+          rules_->ActionOf(action).rules[static_cast<size_t>(covers[0].rule)];
       for (const cell::Outcome& outcome : rule.outcomes) {
-        distribution[AtomsOf(
-            Apply(outcome, covers[0].binding, state, vocabulary))] +=
-            outcome.probability;
+        distribution[AtomsOf(Apply(outcome, covers[0].binding, state,
+                                   vocabulary))] += outcome.probability;
         rest -= outcome.probability;
       }
     }

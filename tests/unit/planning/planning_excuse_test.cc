@@ -38,9 +38,9 @@ TEST(Excuse, NothingIsNeededWhereThereIsAPlan) {
 }
 
 TEST(Excuse, ABrokenBridgeIsNamedInPlainWords) {
-  const GroundTask task = TaskOf(
-      kCourier, With(kDelivery, "(at depot)", "(at depot) (broken)"),
-      ConstantAtoms::kKeep);
+  const GroundTask task =
+      TaskOf(kCourier, With(kDelivery, "(at depot)", "(at depot) (broken)"),
+             ConstantAtoms::kKeep);
   ExcuseOptions options;
   options.may_change = [&](const Literal& l) {
     const std::string& name = task.atoms[static_cast<size_t>(l.atom)].predicate;
@@ -62,9 +62,9 @@ TEST(Excuse, ABrokenBridgeIsNamedInPlainWords) {
 }
 
 TEST(Excuse, SubgoalsAreWhatCanBeDoneMeanwhile) {
-  const GroundTask task = TaskOf(
-      kCourier, With(kDelivery, "(at depot)", "(at depot) (broken)"),
-      ConstantAtoms::kKeep);
+  const GroundTask task =
+      TaskOf(kCourier, With(kDelivery, "(at depot)", "(at depot) (broken)"),
+             ConstantAtoms::kKeep);
   ExcuseOptions options;
   options.may_change = [&](const Literal& l) {
     return task.atoms[static_cast<size_t>(l.atom)].predicate == "broken";

@@ -23,8 +23,7 @@ inline GroundTask TaskOf(const std::string& domain_text,
   return task ? *task : GroundTask{};
 }
 
-inline Plan PlanOf(const GroundTask& task,
-                   const Planner::Params& params = {}) {
+inline Plan PlanOf(const GroundTask& task, const Planner::Params& params = {}) {
   const auto model = std::make_shared<GroundModel>(task);
   return Planner(model, params).Find(model->initial());
 }
@@ -37,10 +36,10 @@ inline GroundTask Propositional(int num_atoms, const std::string& actions,
   for (int i = 0; i < num_atoms; ++i) {
     predicates += " (p" + std::to_string(i) + ")";
   }
-  return TaskOf("(define (domain d) (:predicates" + predicates + ") " +
-                    actions + ")",
-                "(define (problem p) (:domain d) (:init " + init +
-                    ") (:goal " + goal + "))");
+  return TaskOf(
+      "(define (domain d) (:predicates" + predicates + ") " + actions + ")",
+      "(define (problem p) (:domain d) (:init " + init + ") (:goal " + goal +
+          "))");
 }
 
 }  // namespace cell::planning

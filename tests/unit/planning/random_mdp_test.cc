@@ -122,8 +122,8 @@ Value Enumerate(const TableModel& model) {
   while (true) {
     const Value value = Evaluate(model, policy);
     const double gain = value.probability - best.probability;
-    if (gain > 1e-10 || (gain > -1e-10 && value.weighted_actions <
-                                              best.weighted_actions)) {
+    if (gain > 1e-10 ||
+        (gain > -1e-10 && value.weighted_actions < best.weighted_actions)) {
       best = value;
     }
     size_t s = 0;
@@ -152,8 +152,8 @@ TEST(RandomMdp, PlansAreAsGoodAsTheBestOfAllPolicies) {
     }
     EXPECT_EQ(plan.status, Plan::Status::kFound) << seed;
     EXPECT_TRUE(plan.is_shortest) << seed;
-    EXPECT_NEAR(plan.expected_actions,
-                best.weighted_actions / best.probability, 1e-6)
+    EXPECT_NEAR(plan.expected_actions, best.weighted_actions / best.probability,
+                1e-6)
         << seed;
     num_uncertain += best.probability < 1;
   }

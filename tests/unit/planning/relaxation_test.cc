@@ -16,8 +16,9 @@ namespace {
 
 TEST(Relaxation, AGoalOutOfReachIsADeadEnd) {
   GroundTask task = Propositional(
-      3, "(:action f :precondition (not (p1)) :effect (and (p2) (p1)))"
-         "(:action g :effect (probabilistic 0.5 (p0)))",
+      3,
+      "(:action f :precondition (not (p1)) :effect (and (p2) (p1)))"
+      "(:action g :effect (probabilistic 0.5 (p0)))",
       "", "(p2)");
   const Relaxation relaxation(task);
   std::vector<uint64_t> start(1);
@@ -32,8 +33,9 @@ TEST(Relaxation, AGoalOutOfReachIsADeadEnd) {
 
 TEST(Relaxation, LeastActionsCountTheLayers) {
   const GroundTask task = Propositional(
-      4, "(:action f :effect (p0)) (:action g :precondition (p0) :effect (p1))"
-         "(:action h :precondition (and (p0) (p1)) :effect (p2))",
+      4,
+      "(:action f :effect (p0)) (:action g :precondition (p0) :effect (p1))"
+      "(:action h :precondition (and (p0) (p1)) :effect (p2))",
       "", "(p2)");
   std::vector<uint64_t> start(1);
   EXPECT_EQ(Relaxation(task).Assess(start).least_actions, 3);
@@ -111,8 +113,8 @@ TEST(Relaxation, EstimatesNeverChangeThePlansValue) {
     const GroundTask task = RandomTask(seed).Make();
     const auto model = std::make_shared<GroundModel>(task);
     const Plan plan = Planner(model, {}).Find(model->initial());
-    const Plan blind = Planner(std::make_shared<BlindModel>(task), {})
-                           .Find(model->initial());
+    const Plan blind =
+        Planner(std::make_shared<BlindModel>(task), {}).Find(model->initial());
     EXPECT_EQ(plan.status, blind.status) << seed;
     EXPECT_NEAR(plan.probability.low, blind.probability.low, 1e-8) << seed;
     EXPECT_NEAR(plan.expected_actions, blind.expected_actions, 1e-6) << seed;

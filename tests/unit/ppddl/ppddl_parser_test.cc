@@ -78,8 +78,9 @@ TEST(PpddlParser, AnErrorNamesThePlaceAndWhatWouldBeRight) {
               AllOf(StartsWith("d.pddl:9:22: "), HasSubstr("'?c'")));
   EXPECT_THAT(DomainError(With(kCourier, "(at ?b) (not", "(at ?a ?b) (not")),
               HasSubstr("'at' takes 1 argument, not 2"));
-  EXPECT_THAT(DomainError(With(kCourier, "(loaded ?x) (not", "(loaded ?p) (not")),
-              HasSubstr("'?p' is of the type 'place', but 'loaded' takes"));
+  EXPECT_THAT(
+      DomainError(With(kCourier, "(loaded ?x) (not", "(loaded ?p) (not")),
+      HasSubstr("'?p' is of the type 'place', but 'loaded' takes"));
   EXPECT_THAT(DomainError(With(kCourier, ":precondition", ":preconditon")),
               HasSubstr("did you mean ':precondition'?"));
   EXPECT_THAT(ProblemError(With(kDelivery, "courier", "currier")),
@@ -103,8 +104,8 @@ TEST(PpddlParser, ProbabilitiesAreChecked) {
         {"(probabilistic (loaded ?x))", "write (probabilistic"}}) {
     EXPECT_THAT(
         DomainError(With(
-            kCourier,
-            "(probabilistic 1/2 (and (loaded ?x) (not (in ?x ?p))))", bad)),
+            kCourier, "(probabilistic 1/2 (and (loaded ?x) (not (in ?x ?p))))",
+            bad)),
         HasSubstr(why))
         << bad;
   }
@@ -120,9 +121,9 @@ TEST(PpddlParser, WhatIsNotSupportedIsNamed) {
               HasSubstr(":durative-actions is not supported"));
   EXPECT_THAT(DomainError(With(kCourier, ":typing", ":tipping")),
               HasSubstr("did you mean ':typing'?"));
-  EXPECT_THAT(DomainError(With(kCourier, "(road ?a ?b))",
-                               "(> (total-cost) 3))")),
-              HasSubstr("numeric conditions"));
+  EXPECT_THAT(
+      DomainError(With(kCourier, "(road ?a ?b))", "(> (total-cost) 3))")),
+      HasSubstr("numeric conditions"));
   EXPECT_THAT(DomainError(With(kCourier, "?x - parcel ?p",
                                "?x - (either parcel town) ?p")),
               HasSubstr("(either ...)"));

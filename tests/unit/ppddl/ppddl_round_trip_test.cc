@@ -45,7 +45,7 @@ class RandomFormula {
       default:
         break;
     }
-    const int num_parts = condition.kind == kImply                      ? 2
+    const int num_parts = condition.kind == kImply ? 2
                           : condition.kind == kAnd || condition.kind == kOr
                               ? Draw(4)
                               : 1;
