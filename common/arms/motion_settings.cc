@@ -1,11 +1,10 @@
 #include "common/arms/motion_settings.h"
 
-#include <numbers>
+#include "common/geometry/degree.h"
 
 namespace cell {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMm = 1e-3;
 
 }  // namespace

@@ -25,7 +25,6 @@ using namespace std::chrono_literals;
 constexpr auto kRepeatPeriod = 200ms;
 constexpr auto kWarnPeriod = 5s;
 constexpr auto kStopGrace = 2s;
-constexpr auto kLossTimeout = 5s;
 constexpr size_t kMaxWaitingCommands = 100;
 constexpr size_t kMaxComplaints = 100;
 

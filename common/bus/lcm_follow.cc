@@ -8,14 +8,8 @@
 #include "common/bus/follow_node.h"
 
 namespace cell {
-namespace {
 
 using std::chrono::steady_clock;
-using namespace std::chrono_literals;
-
-constexpr auto kLossTimeout = 5s;
-
-}  // namespace
 
 FollowSummary RunLcmFollow(const LcmAddress& address, const Roster& roster,
                            const std::string& name,

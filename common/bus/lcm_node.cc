@@ -16,8 +16,7 @@ using std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kHelloPeriod = 50ms;
-constexpr auto kHealthPeriod = 1s;
-constexpr auto kLossTimeout = 5s;
+constexpr auto kHealthInterval = 1s;
 constexpr auto kLinger = 300ms;
 
 // One service process in lockstep: LCM in, LCM out, and a look at the clock on
@@ -87,7 +86,7 @@ class LcmNode {
   }
 
   void PublishHealth(steady_clock::time_point now) {
-    if (now - last_health_ < kHealthPeriod) return;
+    if (now - last_health_ < kHealthInterval) return;
     last_health_ = now;
     const ProcessUsage usage = UsageOfThisProcess();
     health_t health{};

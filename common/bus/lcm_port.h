@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -27,6 +28,9 @@ struct LcmAddress {
  private:
   std::string Url(int of_port) const;
 };
+
+/// A message that is still missing after this long is lost.
+inline constexpr std::chrono::seconds kLossTimeout{5};
 
 /// One LCM instance on one port. Handlers run inside Drain(), on its thread;
 /// no exception of theirs passes through liblcm's C code.

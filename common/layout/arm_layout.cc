@@ -8,13 +8,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/degree.h"
 #include "common/kinematics/arm_models.h"
 #include "common/layout/vectors.h"
 
 namespace cell {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Eigen::Isometry3d AlongZ(double z) {
   return Eigen::Isometry3d(Eigen::Translation3d(0, 0, z));

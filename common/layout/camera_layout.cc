@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/degree.h"
 #include "common/layout/vectors.h"
 
 namespace cell {
@@ -10,8 +11,6 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace
 

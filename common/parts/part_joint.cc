@@ -1,8 +1,8 @@
 #include "common/parts/part_joint.h"
 
-#include <numbers>
 #include <vector>
 
+#include "common/geometry/degree.h"
 #include "common/parts/piece_config.h"
 
 namespace cell {
@@ -10,10 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeg = std::numbers::pi / 180;
-constexpr double kMaxTurn = 360;       // [deg]
-constexpr double kMaxLength = 10'000;  // [mm]
-constexpr double kMost = 1e4;          // of friction and damping
+constexpr double kMaxTurn = 360;  // [deg]
+constexpr double kMost = 1e4;     // of friction and damping
 
 PartJoint::Kind KindFromConfig(const Config& config) {
   const auto kind = config.Get<std::string>("kind");
@@ -38,7 +36,7 @@ void ReadLimits(const Config& config, PartJoint* joint) {
   if (!(limits[0] <= 0 && limits[1] >= 0)) {
     config[key].Fail("should contain 0, where the part is at the start");
   }
-  const double unit = is_hinge ? kDeg : kMm;
+  const double unit = is_hinge ? kDegree : kMm;
   joint->lower = unit * limits[0];
   joint->upper = unit * limits[1];
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "common/geometry/degree.h"
 #include "common/parts/piece_config.h"
 
 namespace cell {
@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeg = std::numbers::pi / 180;
-constexpr double kMaxLength = 10'000;  // [mm]
 constexpr double kLeastLever = 0.005;  // [m] of a handle
 
 double Length(const Config& config, const std::string& key) {
@@ -38,7 +36,7 @@ Thread ThreadFromConfig(const Config& config) {
   thread.pitch = kMm * config.Number("pitch", 0.1, kMaxLength);
   thread.engagement = Length(config, "engagement");
   thread.max_offset = Length(config, "max_offset");
-  thread.max_tilt = kDeg * config.Number("max_tilt", 0, 90);
+  thread.max_tilt = kDegree * config.Number("max_tilt", 0, 90);
   return thread;
 }
 

@@ -6,16 +6,15 @@
 #include <numbers>
 #include <string>
 
+#include "common/geometry/degree.h"
+
 namespace cell {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kDeg = std::numbers::pi / 180;
-constexpr double kMaxLength = 10'000;  // [mm]
-
-double Length(const Config& config, const std::string& key) {
+double Extent(const Config& config, const std::string& key) {
   return kMm * config.Number(key, 1e-3, kMaxLength);
 }
 
@@ -49,7 +48,7 @@ Piece Box(const Config& config) {
   piece.kind = Piece::Kind::kBox;
   piece.X_OP.translation() = Point3(config, "center");
   piece.X_OP.linear() =
-      Eigen::AngleAxisd(kDeg * config.GetOr("yaw", 0.0), Vector3d::UnitZ())
+      Eigen::AngleAxisd(kDegree * config.GetOr("yaw", 0.0), Vector3d::UnitZ())
           .toRotationMatrix();
   piece.half_extents = Point3(config, "size") / 2;
   if (!(piece.half_extents.minCoeff() > 0)) {
@@ -70,8 +69,8 @@ Piece Cylinder(const Config& config) {
   piece.X_OP.linear() =
       Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along)
           .toRotationMatrix();
-  piece.radius = Length(config, "radius");
-  piece.half_length = Length(config, "length") / 2;
+  piece.radius = Extent(config, "radius");
+  piece.half_length = Extent(config, "length") / 2;
   return piece;
 }
 
@@ -146,10 +145,10 @@ std::vector<Piece> Hole(const Config& config) {
     config["sides"].Fail(fmt::format("{} is not 4 or a multiple of 8", sides));
   }
   WedgeProfile profile{};
-  profile.apothem = Length(config, "apothem");
+  profile.apothem = Extent(config, "apothem");
   profile.outer = config.Has("corner")
-                      ? Length(config, "corner") / std::numbers::sqrt2
-                      : Length(config, "outer");
+                      ? Extent(config, "corner") / std::numbers::sqrt2
+                      : Extent(config, "outer");
   profile.z = Interval(config, "z", kMm);
   const std::vector<double> chamfer = config.Numbers("chamfer", 2);
   profile.chamfer_low = kMm * chamfer[0];
@@ -165,7 +164,7 @@ std::vector<Piece> Hole(const Config& config) {
     config["apothem"].Fail("the hole with its chamfer leaves no wall");
   }
   const Vector2d center = Point2(config, "center");
-  const double rotation = kDeg * config.GetOr("rotation", 0.0);
+  const double rotation = kDegree * config.GetOr("rotation", 0.0);
   const double step = 2 * std::numbers::pi / sides;
   std::vector<Piece> wedges;
   for (int i = 0; i < sides; ++i) {
@@ -179,7 +178,7 @@ std::vector<Piece> RingSector(const Config& config) {
   const Vector2d center = Point2(config, "center");
   const Range z = Interval(config, "z", kMm);
   const Range radii = Interval(config, "radii", kMm);
-  const Range angles = Interval(config, "angles", kDeg);
+  const Range angles = Interval(config, "angles", kDegree);
   const int segments = config.Integer("segments", 1, 90);
   const double step = (angles.high - angles.low) / segments;
   std::vector<Piece> quads;
@@ -197,8 +196,8 @@ std::vector<Piece> RingSector(const Config& config) {
 Piece DiscSegment(const Config& config) {
   const Vector2d center = Point2(config, "center");
   const Range z = Interval(config, "z", kMm);
-  const double radius = Length(config, "radius");
-  const Range angles = Interval(config, "angles", kDeg);
+  const double radius = Extent(config, "radius");
+  const Range angles = Interval(config, "angles", kDegree);
   const int segments = config.Integer("segments", 2, 90);
   std::vector<Vector2d> outline;
   for (int i = 0; i <= segments; ++i) {
@@ -251,9 +250,9 @@ Eigen::Isometry3d PoseInMm(const Config& config) {
                                       : std::vector<double>{0, 0, 0};
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translation() = kMm * Vector3d(xyz[0], xyz[1], xyz[2]);
-  X.linear() = (Eigen::AngleAxisd(kDeg * rpy[2], Vector3d::UnitZ()) *
-                Eigen::AngleAxisd(kDeg * rpy[1], Vector3d::UnitY()) *
-                Eigen::AngleAxisd(kDeg * rpy[0], Vector3d::UnitX()))
+  X.linear() = (Eigen::AngleAxisd(kDegree * rpy[2], Vector3d::UnitZ()) *
+                Eigen::AngleAxisd(kDegree * rpy[1], Vector3d::UnitY()) *
+                Eigen::AngleAxisd(kDegree * rpy[0], Vector3d::UnitX()))
                    .toRotationMatrix();
   return X;
 }

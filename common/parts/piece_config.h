@@ -32,5 +32,6 @@ std::vector<Piece> PiecesFromConfig(const Config& config);
 Eigen::Isometry3d PoseInMm(const Config& config);
 
 inline constexpr double kMm = 1e-3;
+inline constexpr double kMaxLength = 10'000;  // [mm]
 
 }  // namespace cell

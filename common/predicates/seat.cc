@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/degree.h"
+
 namespace cell {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 double AngleOfAxes(const Eigen::Isometry3d& X_AB) {
   const Eigen::Vector3d z = X_AB.linear().col(2);
@@ -20,8 +20,8 @@ SeatTolerance SeatTolerance::FromConfig(const Config& config) {
   SeatTolerance tolerance;
   tolerance.z = config.Number("z_mm", 0, 1000) * 1e-3;
   tolerance.xy = config.Number("xy_mm", 0, 1000) * 1e-3;
-  tolerance.tilt = config.Number("tilt_deg", 0, 90) * kRadPerDeg;
-  tolerance.yaw = config.Number("yaw_deg", 0, 180) * kRadPerDeg;
+  tolerance.tilt = config.Number("tilt_deg", 0, 90) * kDegree;
+  tolerance.yaw = config.Number("yaw_deg", 0, 180) * kDegree;
   return tolerance;
 }
 

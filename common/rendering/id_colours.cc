@@ -8,7 +8,7 @@
 namespace cell {
 namespace {
 
-using Colour = std::array<uint8_t, 3>;
+using Rgb = std::array<uint8_t, 3>;
 
 double LinearOf(uint8_t value) {
   const double v = value / 255.0;
@@ -21,7 +21,7 @@ double LabCurve(double t) {
                                       : t / (3 * kDelta * kDelta) + 4.0 / 29;
 }
 
-Eigen::Vector3d LabOf(const Colour& colour) {
+Eigen::Vector3d LabOf(const Rgb& colour) {
   const Eigen::Vector3d rgb(LinearOf(colour[0]), LinearOf(colour[1]),
                             LinearOf(colour[2]));
   const Eigen::Matrix3d xyz_of_rgb{{0.4124, 0.3576, 0.1805},
@@ -34,12 +34,12 @@ Eigen::Vector3d LabOf(const Colour& colour) {
 }
 
 /// Every colour of a coarse grid.
-std::vector<Colour> Candidates() {
+std::vector<Rgb> Candidates() {
   constexpr int kSteps = 9;
   const auto level = [](int i) {
     return static_cast<uint8_t>(255 * i / (kSteps - 1));
   };
-  std::vector<Colour> colours;
+  std::vector<Rgb> colours;
   for (int r = 0; r < kSteps; ++r) {
     for (int g = 0; g < kSteps; ++g) {
       for (int b = 0; b < kSteps; ++b) {
@@ -52,19 +52,19 @@ std::vector<Colour> Candidates() {
 
 }  // namespace
 
-double ColourDifference(const Colour& a, const Colour& b) {
+double ColourDifference(const Rgb& a, const Rgb& b) {
   return (LabOf(a) - LabOf(b)).norm();
 }
 
-std::vector<Colour> DistinctColours(size_t num) {
-  const std::vector<Colour> candidates = Candidates();
+std::vector<Rgb> DistinctColours(size_t num) {
+  const std::vector<Rgb> candidates = Candidates();
   std::vector<Eigen::Vector3d> labs;
   std::vector<double> nearest;  // of the colours chosen, or black
-  for (const Colour& candidate : candidates) {
+  for (const Rgb& candidate : candidates) {
     labs.push_back(LabOf(candidate));
     nearest.push_back(ColourDifference(candidate, {0, 0, 0}));
   }
-  std::vector<Colour> chosen;
+  std::vector<Rgb> chosen;
   while (chosen.size() < num) {
     const size_t best = static_cast<size_t>(std::ranges::max_element(nearest) -
                                             nearest.begin());

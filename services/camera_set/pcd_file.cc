@@ -11,15 +11,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "services/camera_set/file_error.h"
 #include "services/camera_set/pcd_header.h"
 
 namespace cell::camera_set {
 namespace {
-
-[[noreturn]] void Fail(const std::filesystem::path& path,
-                       const std::string& what) {
-  throw std::runtime_error(path.string() + ": " + what);
-}
 
 // No camera of depth measures so far [m].
 constexpr double kFarthest = 100;
@@ -28,10 +24,10 @@ pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
   pcl::PointCloud<pcl::PointXYZRGB> cloud;
   try {
     if (pcl::io::loadPCDFile(path.string(), cloud) != 0) {
-      Fail(path, "is damaged");
+      FailFile(path, "is damaged");
     }
   } catch (const pcl::PCLException& e) {
-    Fail(path, e.what());
+    FailFile(path, e.what());
   }
   return cloud;
 }
@@ -46,7 +42,7 @@ PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
   const int width = static_cast<int>(header.width);
   const int height = static_cast<int>(header.height);
   if (cloud.size() != static_cast<size_t>(header.num_points())) {
-    Fail(path, "is damaged");
+    FailFile(path, "is damaged");
   }
   const double range = std::min(65535 * depth_unit, kFarthest);
   PcdImage image{{width, height, {}}, {width, height, {}}, {}};
@@ -64,11 +60,12 @@ PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
       std::any_of(image.depth.counts.begin(), image.depth.counts.end(),
                   [](uint16_t count) { return count > 0; });
   if (!is_any && image.lost.num_beyond > 0) {
-    Fail(path, fmt::format("{} of its {} points lie beyond {} m, none within: "
-                           "x, y, z should be in m (camera.yaml: depth_unit_mm "
-                           "{})",
-                           image.lost.num_beyond, cloud.size(), range,
-                           1e3 * depth_unit));
+    FailFile(path,
+             fmt::format("{} of its {} points lie beyond {} m, none within: "
+                         "x, y, z should be in m (camera.yaml: depth_unit_mm "
+                         "{})",
+                         image.lost.num_beyond, cloud.size(), range,
+                         1e3 * depth_unit));
   }
   image.lost.range = range;
   return image;

@@ -12,6 +12,7 @@
 
 #include "common/config/decimal.h"
 #include "common/imaging/depth_image.h"
+#include "services/camera_set/file_error.h"
 
 namespace cell::camera_set {
 namespace {
@@ -23,11 +24,6 @@ using Words = std::vector<std::string>;
 constexpr int64_t kMaxHeaderLines = 100;
 constexpr size_t kMaxFields = 64;
 constexpr int64_t kMaxPointSize = 4096;  // [bytes]
-
-[[noreturn]] void Fail(const std::filesystem::path& path,
-                       const std::string& what) {
-  throw std::runtime_error(path.string() + ": " + what);
-}
 
 Words WordsOf(const std::string& line) {
   std::istringstream stream(line);
@@ -47,29 +43,29 @@ class Entries {
       const std::string key = words[0];
       words.erase(words.begin());
       if (!words_.emplace(key, words).second) {
-        Fail(path, fmt::format("{} is in its header twice", key));
+        FailFile(path, fmt::format("{} is in its header twice", key));
       }
       if (key == "DATA") return;
     }
-    Fail(path, "is not a PCD file: no DATA line ends its header");
+    FailFile(path, "is not a PCD file: no DATA line ends its header");
   }
 
   int64_t num_lines() const { return num_lines_; }
   bool Has(const std::string& key) const { return words_.contains(key); }
   const Words& operator[](const std::string& key) const {
     const auto it = words_.find(key);
-    if (it == words_.end()) Fail(path_, "lacks the line " + key);
+    if (it == words_.end()) FailFile(path_, "lacks the line " + key);
     return it->second;
   }
   int64_t Number(const std::string& key, const std::string& word) const {
     const Result<int64_t> number = ParseDecimal<int64_t>(word);
     if (number && *number >= 0) return *number;
-    Fail(path_, fmt::format("{} '{}' {}", key, word,
-                            number ? "is negative" : number.reason()));
+    FailFile(path_, fmt::format("{} '{}' {}", key, word,
+                                number ? "is negative" : number.reason()));
   }
   int64_t Number(const std::string& key) const {
     const Words& words = (*this)[key];
-    if (words.size() != 1) Fail(path_, key + " should be one number");
+    if (words.size() != 1) FailFile(path_, key + " should be one number");
     return Number(key, words[0]);
   }
 
@@ -92,10 +88,11 @@ std::vector<Field> FieldsOf(const std::filesystem::path& path,
       entries.Has("COUNT") ? entries["COUNT"] : Words(names.size(), "1");
   if (names.size() != sizes.size() || names.size() != types.size() ||
       names.size() != counts.size() || names.size() > kMaxFields) {
-    Fail(path, fmt::format("has {} FIELDS, {} SIZEs, {} TYPEs, {} COUNTs; all "
-                           "should be as many, at most {}",
-                           names.size(), sizes.size(), types.size(),
-                           counts.size(), kMaxFields));
+    FailFile(path,
+             fmt::format("has {} FIELDS, {} SIZEs, {} TYPEs, {} COUNTs; all "
+                         "should be as many, at most {}",
+                         names.size(), sizes.size(), types.size(),
+                         counts.size(), kMaxFields));
   }
   std::vector<Field> fields;
   for (size_t i = 0; i < names.size(); ++i) {
@@ -104,16 +101,16 @@ std::vector<Field> FieldsOf(const std::filesystem::path& path,
                               : IsOneOf(types[i], {"I", "U"}) &&
                                     IsOneOf(sizes[i], {"1", "2", "4", "8"});
     if (!is_known) {
-      Fail(path,
-           fmt::format("{}: TYPE {} of SIZE {} is not one of F 4 8, I and U "
-                       "1 2 4 8",
-                       names[i], types[i], sizes[i]));
+      FailFile(path, fmt::format(
+                         "{}: TYPE {} of SIZE {} is not one of F 4 8, I and U "
+                         "1 2 4 8",
+                         names[i], types[i], sizes[i]));
     }
     fields.push_back({names[i], sizes[i][0] - '0', types[i][0],
                       entries.Number("COUNT", counts[i])});
     if (fields.back().count < 1 || fields.back().count > kMaxPointSize) {
-      Fail(path, fmt::format("{}: COUNT {} is outside [1, {}]", names[i],
-                             counts[i], kMaxPointSize));
+      FailFile(path, fmt::format("{}: COUNT {} is outside [1, {}]", names[i],
+                                 counts[i], kMaxPointSize));
     }
   }
   return fields;
@@ -123,29 +120,30 @@ void CheckFields(const std::filesystem::path& path, const PcdHeader& header) {
   std::map<std::string, const Field*> known;
   for (const Field& field : header.fields) {
     if (!known.emplace(field.name, &field).second && field.name != "_") {
-      Fail(path, "has the field " + field.name + " twice");
+      FailFile(path, "has the field " + field.name + " twice");
     }
   }
   for (const char* name : {"x", "y", "z"}) {
-    if (!known.contains(name)) Fail(path, fmt::format("lacks {}", name));
+    if (!known.contains(name)) FailFile(path, fmt::format("lacks {}", name));
     const Field& field = *known.at(name);
     if (field.type != 'F' || field.size != 4 || field.count != 1) {
-      Fail(path, fmt::format("{} is of TYPE {}, SIZE {}, COUNT {}; F, 4, 1 is "
-                             "read",
-                             name, field.type, field.size, field.count));
+      FailFile(path,
+               fmt::format("{} is of TYPE {}, SIZE {}, COUNT {}; F, 4, 1 is "
+                           "read",
+                           name, field.type, field.size, field.count));
     }
   }
   if (!known.contains("rgb") && !known.contains("rgba")) {
-    Fail(path, "lacks colour: rgb or rgba");
+    FailFile(path, "lacks colour: rgb or rgba");
   }
   const Field& colour = *known.at(known.contains("rgb") ? "rgb" : "rgba");
   if (colour.size != 4 || colour.count != 1) {
-    Fail(path, fmt::format("{} is of SIZE {}, COUNT {}; 4, 1 is read",
-                           colour.name, colour.size, colour.count));
+    FailFile(path, fmt::format("{} is of SIZE {}, COUNT {}; 4, 1 is read",
+                               colour.name, colour.size, colour.count));
   }
   if (header.PointSize() > kMaxPointSize) {
-    Fail(path, fmt::format("a point has {} bytes; at most {} are read",
-                           header.PointSize(), kMaxPointSize));
+    FailFile(path, fmt::format("a point has {} bytes; at most {} are read",
+                               header.PointSize(), kMaxPointSize));
   }
 }
 
@@ -156,10 +154,10 @@ void ReadSize(const std::filesystem::path& path, const Entries& entries,
   const int64_t num_points = entries.Number("POINTS");
   if (header.height <= 1 || !IsPictureSize(header.width, header.height) ||
       num_points != header.num_points()) {
-    Fail(path,
-         fmt::format("is not an organised cloud of at most {} points: "
-                     "{} x {}, {} in all",
-                     kMaxPixels, header.width, header.height, num_points));
+    FailFile(path,
+             fmt::format("is not an organised cloud of at most {} points: "
+                         "{} x {}, {} in all",
+                         kMaxPixels, header.width, header.height, num_points));
   }
 }
 
@@ -169,25 +167,26 @@ Data DataOf(const std::filesystem::path& path, const Words& words) {
   if (words.size() == 1 && words[0] == "binary_compressed") {
     return Data::kCompressed;
   }
-  Fail(path, fmt::format("DATA '{}' is not one of ascii, binary, "
-                         "binary_compressed",
-                         words.empty() ? "" : words[0]));
+  FailFile(path, fmt::format("DATA '{}' is not one of ascii, binary, "
+                             "binary_compressed",
+                             words.empty() ? "" : words[0]));
 }
 
 /// Refuses bytes behind the data unless they only fill up a page.
 void CheckEnd(const std::filesystem::path& path, std::istream& file,
               int64_t begin, int64_t num_there, int64_t num_claimed) {
   if (num_there < num_claimed) {
-    Fail(path, fmt::format("is cut off: its header claims {} bytes of points, "
-                           "{} are present",
-                           num_claimed, num_there));
+    FailFile(path,
+             fmt::format("is cut off: its header claims {} bytes of points, "
+                         "{} are present",
+                         num_claimed, num_there));
   }
   file.clear();
   file.seekg(begin + num_claimed);
   for (char byte = 0; file.get(byte);) {
     if (byte == 0) continue;
-    Fail(path,
-         fmt::format("has {} bytes after its points", num_there - num_claimed));
+    FailFile(path, fmt::format("has {} bytes after its points",
+                               num_there - num_claimed));
   }
 }
 
@@ -199,10 +198,11 @@ void CheckBinary(const std::filesystem::path& path, std::istream& file,
   if (header.data == Data::kCompressed) {
     std::array<uint32_t, 2> sizes{};  // compressed, not compressed
     file.read(reinterpret_cast<char*>(sizes.data()), sizeof sizes);
-    if (!file) Fail(path, "is cut off where its points begin");
+    if (!file) FailFile(path, "is cut off where its points begin");
     if (sizes[1] != num_points) {
-      Fail(path, fmt::format("claims {} bytes of points; its header implies {}",
-                             sizes[1], num_points));
+      FailFile(path,
+               fmt::format("claims {} bytes of points; its header implies {}",
+                           sizes[1], num_points));
     }
     begin += static_cast<int64_t>(sizeof sizes);
     claimed = sizes[0];
@@ -232,19 +232,21 @@ void CheckLine(const std::filesystem::path& path, int64_t number,
   for (const Field& field : header.fields) {
     for (int64_t k = 0; k < field.count; ++k, ++i) {
       if (i >= words.size()) {
-        Fail(path, fmt::format("line {}: ends before {}", number, field.name));
+        FailFile(path,
+                 fmt::format("line {}: ends before {}", number, field.name));
       }
       if (!IsValueOf(field, words[i])) {
-        Fail(path,
-             fmt::format("line {}: {} cannot be '{}'; a number of TYPE "
-                         "{}, SIZE {} with a decimal point is read",
-                         number, field.name, words[i], field.type, field.size));
+        FailFile(
+            path,
+            fmt::format("line {}: {} cannot be '{}'; a number of TYPE "
+                        "{}, SIZE {} with a decimal point is read",
+                        number, field.name, words[i], field.type, field.size));
       }
     }
   }
   if (i != words.size()) {
-    Fail(path, fmt::format("line {}: has {} values, its header implies {}",
-                           number, words.size(), i));
+    FailFile(path, fmt::format("line {}: has {} values, its header implies {}",
+                               number, words.size(), i));
   }
 }
 
@@ -260,8 +262,8 @@ void CheckAscii(const std::filesystem::path& path, std::istream& file,
     ++num_points;
   }
   if (num_points != header.num_points()) {
-    Fail(path, fmt::format("has {} points, its header claims {}", num_points,
-                           header.num_points()));
+    FailFile(path, fmt::format("has {} points, its header claims {}",
+                               num_points, header.num_points()));
   }
 }
 
@@ -275,10 +277,10 @@ int64_t PcdHeader::PointSize() const {
 
 PcdHeader CheckPcd(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) Fail(path, "cannot be opened");
+  if (!file) FailFile(path, "cannot be opened");
   std::error_code error;
   const auto num_bytes = std::filesystem::file_size(path, error);
-  if (error) Fail(path, "is not a file");
+  if (error) FailFile(path, "is not a file");
   const Entries entries(path, file);
   PcdHeader header;
   header.data_begin = file.tellg();

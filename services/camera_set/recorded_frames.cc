@@ -9,6 +9,7 @@
 
 #include "common/config/config.h"
 #include "common/imaging/png_file.h"
+#include "services/camera_set/file_error.h"
 #include "services/camera_set/pcd_file.h"
 
 namespace cell::camera_set {
@@ -19,10 +20,6 @@ namespace fs = std::filesystem;
 constexpr char kColour[] = ".colour.png";
 constexpr char kDepth[] = ".depth.png";
 constexpr char kCloud[] = ".pcd";
-
-[[noreturn]] void Fail(const fs::path& path, const std::string& what) {
-  throw std::runtime_error(path.string() + ": " + what);
-}
 
 bool IsDigit(char c) {
   return c >= '0' && c <= '9';
@@ -67,7 +64,8 @@ bool IsWithoutDepth(const DepthImage& depth) {
 
 RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
     : folder_(std::move(folder)), is_loop_(is_loop) {
-  if (!fs::is_directory(folder_)) Fail(folder_, "is not a folder of frames");
+  if (!fs::is_directory(folder_))
+    FailFile(folder_, "is not a folder of frames");
   const Config config = Config::Load((folder_ / "camera.yaml").string());
   view_.fx = config.Number("fx", 1, 1e5);
   view_.fy = config.Number("fy", 1, 1e5);
@@ -83,7 +81,7 @@ RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
       names.insert(file.substr(0, file.size() - ending.size()));
     }
   }
-  if (names.empty()) Fail(folder_, "holds no frame");
+  if (names.empty()) FailFile(folder_, "holds no frame");
   names_.assign(names.begin(), names.end());
   std::sort(names_.begin(), names_.end(), IsBefore);
   for (const std::string& name : names_) {
@@ -91,15 +89,15 @@ RecordedFrames::RecordedFrames(fs::path folder, bool is_loop)
     if (fs::exists(cloud)) {
       if (fs::exists(folder_ / (name + kColour)) ||
           fs::exists(folder_ / (name + kDepth))) {
-        Fail(cloud,
-             "the same frame also exists as a picture; remove one of them");
+        FailFile(cloud,
+                 "the same frame also exists as a picture; remove one of them");
       }
       continue;
     }
     for (const char* half : {kColour, kDepth}) {
       const fs::path path = folder_ / (name + half);
       if (!fs::exists(path))
-        Fail(path, "is missing; the other picture of its frame exists");
+        FailFile(path, "is missing; the other picture of its frame exists");
     }
   }
 }
@@ -123,10 +121,10 @@ std::optional<RgbdFrame> RecordedFrames::Next() {
     has_size_ = true;
   }
   if (frame.depth.width != view_.width || frame.depth.height != view_.height) {
-    Fail(folder_ / name,
-         fmt::format("has {}, the frames before it {}",
-                     SizeText(frame.depth.width, frame.depth.height),
-                     SizeText(view_.width, view_.height)));
+    FailFile(folder_ / name,
+             fmt::format("has {}, the frames before it {}",
+                         SizeText(frame.depth.width, frame.depth.height),
+                         SizeText(view_.width, view_.height)));
   }
   frame.view = view_;
   frame.depth_unit = depth_unit_;
@@ -158,9 +156,10 @@ RgbdFrame RecordedFrames::Load(const std::string& name) {
   frame.depth = ReadDepthPng(path);
   if (frame.depth.width != frame.colour.width ||
       frame.depth.height != frame.colour.height) {
-    Fail(path, fmt::format("has {}, its colour {}",
-                           SizeText(frame.depth.width, frame.depth.height),
-                           SizeText(frame.colour.width, frame.colour.height)));
+    FailFile(path,
+             fmt::format("has {}, its colour {}",
+                         SizeText(frame.depth.width, frame.depth.height),
+                         SizeText(frame.colour.width, frame.colour.height)));
   }
   return frame;
 }

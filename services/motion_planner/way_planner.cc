@@ -12,7 +12,8 @@ namespace cell::motion_planner {
 namespace {
 
 constexpr double kViaHeight = 0.22;  // [m] that a way goes over things
-constexpr double kNear = 0.0015;     // [m] if the clearance cannot be kept
+constexpr double kReducedClearance =
+    0.0015;                          // [m] if the clearance cannot be kept
 constexpr double kTouching = 1e-4;   // [m]
 constexpr int kMaxTouching = 12;     // pairs
 constexpr double kMinStep = 0.0027;  // [m] of the fingertips between checks
@@ -81,7 +82,8 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
   std::string reason;
   // Where it stands it stands: what is near there must not forbid to leave.
-  for (const double clearance : {motion.clearance, kNear, kTouching}) {
+  for (const double clearance :
+       {motion.clearance, kReducedClearance, kTouching}) {
     ClearanceRule rule{clearance, {}};
     if (clearance == kTouching) rule.allowed = Touching(scene, arm, from);
     const auto ask = AskScene(scene, arm, from, rule);

@@ -6,7 +6,6 @@
 namespace cell::planner {
 
 using Purpose = SkillRequest::Purpose;
-using Outcome = SkillResult::Outcome;
 
 SkillDispatch::SkillDispatch(std::shared_ptr<const Vocabulary> vocabulary,
                              const Params& params, int64_t since_utime)
@@ -20,9 +19,10 @@ std::optional<EndedSkill> SkillDispatch::Update(const SkillResult& result) {
   if (it == running_.end() || it->second.request.id != result.id) {
     return std::nullopt;
   }
-  const bool has_succeeded = result.outcome == Outcome::kSucceeded;
-  const bool is_stopped = result.outcome == Outcome::kStopped;
-  const bool counts = !is_stopped && result.outcome != Outcome::kYielded;
+  const bool has_succeeded = result.outcome == SkillResult::Outcome::kSucceeded;
+  const bool is_stopped = result.outcome == SkillResult::Outcome::kStopped;
+  const bool counts =
+      !is_stopped && result.outcome != SkillResult::Outcome::kYielded;
   if (is_stopped) to_free_.try_emplace(result.arm, 0);
   return End(
       result.arm, result.utime, has_succeeded, counts,

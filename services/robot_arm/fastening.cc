@@ -1,8 +1,8 @@
 #include "services/robot_arm/fastening.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "common/geometry/degree.h"
 #include "common/predicates/seat.h"
 
 namespace cell::robot_arm {
@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Isometry3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
 /// Wider than what counts as placed: from here a part that is let go of comes
 /// to rest in its seat.
 constexpr SeatTolerance kSeated{0.002, 0.0045, 2 * kDegree, 10 * kDegree};

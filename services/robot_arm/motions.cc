@@ -14,7 +14,7 @@ using Eigen::Isometry3d;
 constexpr double kTurnSpeed = 0.8;     // [rad/s] of the gripper on a line
 constexpr double kSettleTime = 0.12;   // [s] that the servos need
 constexpr double kThere = 0.0015;      // [rad] of a joint
-constexpr double kPatience = 1.0;      // [s] for the servos
+constexpr double kSettlingTime = 1.0;  // [s] for the servos
 constexpr double kFingerTime = 3.0;    // [s] for the fingers
 constexpr double kFingerThere = 5e-4;  // [m]
 constexpr double kDwell = 0.15;        // [s] after the fingers
@@ -74,8 +74,9 @@ SkillStage::State FollowWay::Step(const ArmReading& reading, double dt,
   command->q = trajectory_->At(time_).q;
   if (time_ < trajectory_->duration()) return State::kRunning;
   settling_ += dt;
-  const bool is_over = settling_ >= kSettleTime &&
-                       (IsThere(reading, *command) || settling_ > kPatience);
+  const bool is_over =
+      settling_ >= kSettleTime &&
+      (IsThere(reading, *command) || settling_ > kSettlingTime);
   return is_over ? State::kDone : State::kRunning;
 }
 
@@ -110,7 +111,7 @@ SkillStage::State MoveOnLine::Step(const ArmReading& reading, double dt,
   command->q = *q;
   const bool is_over =
       time_ >= duration_ + kSettleTime &&
-      (IsThere(reading, *command) || time_ > duration_ + kPatience);
+      (IsThere(reading, *command) || time_ > duration_ + kSettlingTime);
   return is_over ? State::kDone : State::kRunning;
 }
 

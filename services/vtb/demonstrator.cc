@@ -16,7 +16,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kMinMove = 0.08;      // [m] that a moved part moves at least
 constexpr double kOutsideBy = 0.12;    // [m] beyond the workspace
 constexpr double kLayTilt = 1.05;      // [rad] it falls over from here
 constexpr double kCorrectAfter = 2.0;  // [s] that a mistake stays

@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 
 constexpr double kRetryAfter = 2;     // [s] if nothing can be done now
 constexpr double kFromGripper = 0.3;  // [m] parts nearer to one are left alone
-constexpr double kMinMove = 0.08;     // [m] that a moved part moves at least
 constexpr int kTriesPerPlace = 20;
 constexpr double kHoldTime = 3;  // [s] a part is kept in the hand
 constexpr uint64_t kOwnChance = 0x5bd1e995;

@@ -30,6 +30,9 @@ struct PartExtent {
 double DistanceBetween(const std::vector<Eigen::Vector2d>& a,
                        const std::vector<Eigen::Vector2d>& b);
 
+/// [m] How far a part moves at least if it is put elsewhere.
+inline constexpr double kMinMove = 0.08;
+
 /// Finds places for upright parts in the parts area.
 class PlacementSampler {
  public:

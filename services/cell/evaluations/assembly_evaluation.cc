@@ -8,7 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kScript[] = "execution";  // of the task's demonstrators.yaml
 constexpr char kGroup[] = "assembly";
 
 class AssemblyEvaluation final : public Evaluation {
@@ -28,7 +27,7 @@ class AssemblyEvaluation final : public Evaluation {
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
-    return RunAssembly(kScript, trial.seed, deployment, roster);
+    return RunAssembly(kExecutionScript, trial.seed, deployment, roster);
   }
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {

@@ -11,6 +11,9 @@
 
 namespace cell::cli {
 
+/// The script of the task's demonstrators.yaml in which the arms assemble.
+inline constexpr char kExecutionScript[] = "execution";
+
 /// A row of an evaluation: one assembly by the cell in one process, scored by
 /// the ground truth at its end, its motions checked on the way. `script`: of
 /// the task's demonstrators.yaml. `intervene`: called before the run, what it

@@ -26,7 +26,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kScript[] = "execution";  // of the task's demonstrators.yaml
 constexpr char kSearch[] = "search", kNoSearch[] = "no_search";
 constexpr double kAimOffset = 0.002;                  // [m]
 constexpr double kAimAngle = std::numbers::pi / 180;  // [rad]
@@ -90,7 +89,7 @@ Roster RosterOf(const Roster& whole) {
 std::map<std::string, ServiceFactory> Services(
     const Deployment& deployment, const Bench& bench, const Trial& trial,
     const SkillDriver::Params& driver) {
-  auto services = AllServices(deployment, kScript, trial.seed);
+  auto services = AllServices(deployment, kExecutionScript, trial.seed);
   services["driver"] = [driver](Bus& bus) {
     return std::make_unique<SkillDriver>(bus, driver);
   };

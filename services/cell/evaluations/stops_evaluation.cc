@@ -16,7 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kScript[] = "execution";  // of the task's demonstrators.yaml
 constexpr char kGroup[] = "stops";
 constexpr double kMm = 1e3;
 constexpr double kStays = 0.5;  // [mm] that what is placed may move
@@ -64,8 +63,8 @@ class StopsEvaluation final : public Evaluation {
                 const Roster& roster) const override {
     const auto success = SuccessCriterion::Load(deployment);
     std::unique_ptr<StopInjector> injector;
-    json row =
-        RunAssembly(kScript, trial.seed, deployment, roster, [&](SimBus& bus) {
+    json row = RunAssembly(
+        kExecutionScript, trial.seed, deployment, roster, [&](SimBus& bus) {
           injector = std::make_unique<StopInjector>(bus, success, trial.seed);
           return [&](const Message& message) {
             injector->Put(message);

@@ -1,11 +1,11 @@
 #include "services/cell/pictures/scene_picture.h"
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "common/geometry/degree.h"
 #include "common/geometry/pose.h"
 #include "common/imaging/png_file.h"
 #include "common/layout/cell_layout.h"
@@ -54,7 +54,6 @@ std::vector<Eigen::Vector3d> PointsOf(
 }
 
 PictureShape ShapeOf(const Viewpoint& view) {
-  constexpr double kDegree = std::numbers::pi / 180;
   constexpr double kHorizontalViewRad = 50 * kDegree;
   return {.azimuth_rad = view.azimuth_deg * kDegree,
           .elevation_rad = view.elevation_deg * kDegree,

@@ -20,7 +20,7 @@ namespace {
 
 /// A cell says something every 8 ms of its time; one that computes may take
 /// longer.
-constexpr int kMaxSilenceMs = 500;
+constexpr int kMaxWaitMs = 500;
 
 bool IsCellHeard(const LcmAddress& address) {
   LcmPort port(address.MainUrl());
@@ -29,7 +29,7 @@ bool IsCellHeard(const LcmAddress& address) {
     is_heard |= MessageFromWire(channel, std::move(bytes)) != nullptr;
   });
   constexpr int kStepMs = 10;
-  for (int waited = 0; !is_heard && waited < kMaxSilenceMs; waited += kStepMs) {
+  for (int waited = 0; !is_heard && waited < kMaxWaitMs; waited += kStepMs) {
     WaitForAny({&port}, kStepMs);
     port.Drain();
   }

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "common/geometry/degree.h"
 
 namespace cell::robot_arm {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Reads what there is of a section.
 class Section {

@@ -9,6 +9,7 @@
 #include "common/arms/cell_check.h"
 #include "common/arms/path_planner.h"
 #include "common/arms/reach.h"
+#include "common/geometry/degree.h"
 #include "common/kinematics/arm_models.h"
 #include "common/rendering/cell_bodies.h"
 #include "common/rendering/renderer.h"
@@ -26,7 +27,6 @@ using Eigen::Vector3d;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTilt = 5 * kDegree;
 
 struct Step {
@@ -47,9 +47,9 @@ struct Placing {
   PlaceChoice place;
 };
 
-JointPath PlanPath(const Joints& start, const std::vector<Joints>& goals,
-                   const std::vector<Joints>& vias,
-                   const WhyBlockedAt& why_blocked) {
+JointPath PlanUr5Path(const Joints& start, const std::vector<Joints>& goals,
+                      const std::vector<Joints>& vias,
+                      const WhyBlockedAt& why_blocked) {
   return cell::PlanPath(start, goals, vias, why_blocked,
                         PathPlannerParams(*FindArmModel("ur5")));
 }
@@ -200,7 +200,7 @@ TEST_F(CellReach, WhatIsTakenFromTheTableFindsItsWayToTheSite) {
       EXPECT_TRUE(is_same_branch) << part;
       const auto way = [&](const Joints& from, const Joints& to,
                            double opening) {
-        const JointPath path = PlanPath(
+        const JointPath path = PlanUr5Path(
             from, {to}, {arm.home},
             AskScene(scene, arm.name, {from, grasp.grip, opening}, {}));
         EXPECT_TRUE(path) << part << ": " << path.reason();

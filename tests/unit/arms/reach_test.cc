@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "common/geometry/degree.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -10,8 +11,6 @@ namespace {
 
 using Eigen::Isometry3d;
 using testing::HasSubstr;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 class ReachTest : public testing::Test {
  protected:

@@ -13,11 +13,11 @@ using testing::HasSubstr;
 using toy::ToyFactories;
 using toy::ToyRoster;
 
-constexpr int32_t kNumTicks = 60;
+constexpr int32_t kNumFollowed = 60;
 
 struct Follower {
   explicit Follower(const std::string& name)
-      : node(ToyRoster(), name, ToyFactories(kNumTicks).at(name),
+      : node(ToyRoster(), name, ToyFactories(kNumFollowed).at(name),
              [this](const Message& m) { sent.push_back(m); }) {}
   std::vector<Message> sent;
   FollowNode node;
@@ -29,7 +29,7 @@ void Play(
     const std::vector<Follower*>& followers,
     const std::set<std::string>& left_out,
     const std::function<void(Message*)>& change = [](Message*) {}) {
-  SimBus bus(ToyRoster(), ToyFactories(kNumTicks));
+  SimBus bus(ToyRoster(), ToyFactories(kNumFollowed));
   const auto hear = [&](const Message& message) {
     for (Follower* follower : followers) {
       if (follower->node.Wants(message.channel)) {
@@ -80,9 +80,9 @@ TEST(FollowNode, NamesAMessageThatThePlayerLost) {
 TEST(FollowNode, SaysWhereItDiffersFromTheLog) {
   // Another service under the recorded one's name.
   Follower other("first");
-  FollowNode node(ToyRoster(), "first", ToyFactories(kNumTicks).at("third"),
+  FollowNode node(ToyRoster(), "first", ToyFactories(kNumFollowed).at("third"),
                   [](const Message&) {});
-  SimBus bus(ToyRoster(), ToyFactories(kNumTicks));
+  SimBus bus(ToyRoster(), ToyFactories(kNumFollowed));
   while (bus.Step()) {
     for (const Message& m : bus.last_messages()) node.PutData(m);
     node.PutTick(bus.last_tick());

@@ -23,7 +23,7 @@ using testing::IsEmpty;
 using toy::ToyFactories;
 using toy::ToyRoster;
 
-constexpr int32_t kNumTicks = 400;
+constexpr int32_t kNumLiveTicks = 400;
 constexpr int32_t kForever = 1 << 20;
 
 struct WireFaults {
@@ -67,7 +67,7 @@ class LiveTest : public testing::Test {
       nodes.push_back(std::make_unique<LiveNode>(
           roster, entry.name, 0, factories.at(entry.name), send));
     }
-    for (tick = 1000; tick < 1000 + kNumTicks; ++tick) {
+    for (tick = 1000; tick < 1000 + kNumLiveTicks; ++tick) {
       if (tick == death) {
         nodes[2] = std::make_unique<LiveNode>(roster, "second", 1,
                                               factories.at("second"), send);

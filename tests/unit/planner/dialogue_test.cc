@@ -11,7 +11,7 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int64_t kPatience = 5'000'000;  // [us]
+constexpr int64_t kPatienceUs = 5'000'000;  // [us]
 
 class DialogueTest : public testing::Test {
  protected:
@@ -22,7 +22,7 @@ class DialogueTest : public testing::Test {
     return out;
   }
 
-  Dialogue dialogue_{kPatience};
+  Dialogue dialogue_{kPatienceUs};
   ExecutionStatus question_{.state = ExecutionStatus::State::kStuck,
                             .text = "please help"};
   State asked_ = State(2);
@@ -35,10 +35,10 @@ class DialogueTest : public testing::Test {
 
 TEST_F(DialogueTest, IsPatientForAWhileAndAnewAfterAnArmHasStarted) {
   EXPECT_TRUE(dialogue_.IsPatient(At(1'000)));
-  EXPECT_TRUE(dialogue_.IsPatient(At(kPatience)));
-  EXPECT_FALSE(dialogue_.IsPatient(At(kPatience + 1'000)));
+  EXPECT_TRUE(dialogue_.IsPatient(At(kPatienceUs)));
+  EXPECT_FALSE(dialogue_.IsPatient(At(kPatienceUs + 1'000)));
   dialogue_.OnStart();
-  EXPECT_TRUE(dialogue_.IsPatient(At(kPatience + 2'000)));
+  EXPECT_TRUE(dialogue_.IsPatient(At(kPatienceUs + 2'000)));
 }
 
 TEST_F(DialogueTest, ReportsAQuestionAndItsAlertOnce) {
@@ -59,10 +59,10 @@ TEST_F(DialogueTest, ThePersonIsAtWorkFromAChangeUntilTheStateStays) {
   EXPECT_TRUE(dialogue_.IsPersonAtWork(other_, At(2)));
   State third = other_;
   third.Set(0, Truth::kTrue);
-  EXPECT_TRUE(dialogue_.IsPersonAtWork(third, At(kPatience)));
-  EXPECT_TRUE(dialogue_.IsPersonAtWork(third, At(2 * kPatience - 1)));
-  EXPECT_FALSE(dialogue_.IsPersonAtWork(third, At(2 * kPatience)));
-  EXPECT_FALSE(dialogue_.IsPersonAtWork(other_, At(2 * kPatience)));
+  EXPECT_TRUE(dialogue_.IsPersonAtWork(third, At(kPatienceUs)));
+  EXPECT_TRUE(dialogue_.IsPersonAtWork(third, At(2 * kPatienceUs - 1)));
+  EXPECT_FALSE(dialogue_.IsPersonAtWork(third, At(2 * kPatienceUs)));
+  EXPECT_FALSE(dialogue_.IsPersonAtWork(other_, At(2 * kPatienceUs)));
 }
 
 TEST_F(DialogueTest, NobodyIsAtWorkWhoWasNotAsked) {

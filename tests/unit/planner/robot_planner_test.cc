@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int kPatience = 800;  // [ticks], after which a person is asked
+constexpr int kPatienceTicks = 800;  // [ticks], after which a person is asked
 
 Deployment Shipped() {
   return {CELL_SOURCE_DIR "/deploy/config",
@@ -237,7 +237,7 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
   std::erase(right_.reachable, "separator");
   --right_.num_reachable;
   Start("robot", "assembled");
-  Run(kPatience);
+  Run(kPatienceTicks);
   ASSERT_FALSE(told_.empty());
   EXPECT_EQ(told_.back().state, execution_t::STUCK);
   EXPECT_EQ(told_.back().text,
@@ -259,7 +259,7 @@ TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
   --right_.num_reachable;
   state_ = cranfield_.With(state_, {"Clear(separator)"}, Truth::kFalse);
   Start("robot", "assembled");
-  Run(kPatience);
+  Run(kPatienceTicks);
   ASSERT_FALSE(told_.empty());
   EXPECT_EQ(told_.back().text,
             "separator is out of reach of both arms: please move it into "

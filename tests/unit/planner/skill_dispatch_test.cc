@@ -12,7 +12,6 @@ namespace {
 
 using testing::IsEmpty;
 using testing::SizeIs;
-using Outcome = SkillResult::Outcome;
 
 class Dispatch : public testing::Test {
  protected:
@@ -31,7 +30,7 @@ class Dispatch : public testing::Test {
                     before_, now_, out_);
     runs_[right_] = out_.requests.back().id;
   }
-  std::optional<EndedSkill> End(Outcome outcome) {
+  std::optional<EndedSkill> End(SkillResult::Outcome outcome) {
     const int64_t id = std::exchange(runs_[right_], ArmState::kIdle);
     return dispatch_.Update({id, now_.utime, right_, outcome, "it jams"});
   }
@@ -103,21 +102,23 @@ TEST_F(Dispatch, AResultOfAnotherRequestIsNotOurs) {
 TEST_F(Dispatch, AfterAnEndItWaitsForTheArmsToReportAgain) {
   StartInsertion();
   now_.utime += 1;
-  EXPECT_TRUE(End(Outcome::kSucceeded)->has_succeeded);
+  EXPECT_TRUE(End(SkillResult::Outcome::kSucceeded)->has_succeeded);
   EXPECT_FALSE(dispatch_.HaveArmsReported());
   Report();
   EXPECT_TRUE(dispatch_.HaveArmsReported());
 }
 
 TEST_F(Dispatch, CountsFailuresAndFalseSuccessesButNotStopsAndYields) {
-  for (const Outcome outcome : {Outcome::kStopped, Outcome::kYielded}) {
+  for (const SkillResult::Outcome outcome :
+       {SkillResult::Outcome::kStopped, SkillResult::Outcome::kYielded}) {
     StartInsertion();
     EXPECT_FALSE(End(outcome)->counts);
     Report();
   }
   EXPECT_EQ(dispatch_.failures().Of(insert_), nullptr);
-  for (const Outcome outcome :
-       {Outcome::kFailed, Outcome::kRefused, Outcome::kSucceeded}) {
+  for (const SkillResult::Outcome outcome :
+       {SkillResult::Outcome::kFailed, SkillResult::Outcome::kRefused,
+        SkillResult::Outcome::kSucceeded}) {
     EXPECT_THAT(dispatch_.failures().Blocked(), IsEmpty());
     StartInsertion();
     EXPECT_TRUE(End(outcome)->counts);
@@ -128,7 +129,7 @@ TEST_F(Dispatch, CountsFailuresAndFalseSuccessesButNotStopsAndYields) {
 
 TEST_F(Dispatch, AnArmThatWasStoppedIsToGoFreeUntilItHasOrHasFailedThrice) {
   StartInsertion();
-  End(Outcome::kStopped);
+  End(SkillResult::Outcome::kStopped);
   Report();
   ASSERT_TRUE(dispatch_.HasArmToFree());
   for (int i = 0; i < 3; ++i) {
@@ -139,7 +140,7 @@ TEST_F(Dispatch, AnArmThatWasStoppedIsToGoFreeUntilItHasOrHasFailedThrice) {
     EXPECT_EQ(out_.requests[0].skill, "go_free");
     runs_[right_] = out_.requests[0].id;
     EXPECT_TRUE(dispatch_.HasArmToFree());
-    End(Outcome::kFailed);
+    End(SkillResult::Outcome::kFailed);
     Report();
   }
   EXPECT_FALSE(dispatch_.HasArmToFree());

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "common/geometry/degree.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -15,7 +16,6 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kDeg = std::numbers::pi / 180;
 const std::string kRight = "hand_right";
 
 class PredicateSensorTest : public testing::Test {
@@ -92,7 +92,7 @@ TEST_F(PredicateSensorTest, SeatedEndsAtItsTolerances) {
        {std::pair{0.99, Truth::kTrue}, {1.01, Truth::kFalse}}) {
     for (const auto& X_SO :
          {off(share * 0.003, 0, 0), off(0, share * 0.0008, 0),
-          off(0, -share * 0.0008, 0), off(0, 0, share * 1 * kDeg)}) {
+          off(0, -share * 0.0008, 0), off(0, 0, share * 1 * kDegree)}) {
       stage_.Seat("square_peg_1", "base.square_2", X_SO);
       EXPECT_EQ(Of(atom), truth) << share;
     }
@@ -118,7 +118,7 @@ TEST_F(PredicateSensorTest, HorizontalBeginsAt45Degrees) {
                                      {134.9, Truth::kTrue},
                                      {135.1, Truth::kFalse}}) {
     stage_.Put("shaft", Translation3d(0, -0.4, 0.1) *
-                            AngleAxisd(angle * kDeg, Vector3d::UnitY()) *
+                            AngleAxisd(angle * kDegree, Vector3d::UnitY()) *
                             Isometry3d::Identity());
     EXPECT_EQ(Of("Horizontal(shaft)"), truth) << angle;
   }

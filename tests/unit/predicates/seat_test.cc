@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "common/geometry/degree.h"
+
 namespace cell {
 namespace {
 
@@ -13,8 +15,7 @@ using Eigen::Isometry3d;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-constexpr double kDeg = std::numbers::pi / 180;
-constexpr SeatTolerance kTolerance{0.0008, 0.003, 1 * kDeg, 5 * kDeg};
+constexpr SeatTolerance kTolerance{0.0008, 0.003, 1 * kDegree, 5 * kDegree};
 
 Isometry3d Turn(double angle, const Vector3d& axis) {
   return Isometry3d(AngleAxisd(angle, axis));
@@ -33,8 +34,8 @@ TEST(Seat, EachToleranceHoldsJustInsideAndNotJustOutside) {
       EXPECT_EQ(seated(Isometry3d(Translation3d(0, 0, s * 0.0008))), is_seated);
       EXPECT_EQ(seated(Isometry3d(Translation3d(s * 0.003 * diagonal))),
                 is_seated);
-      EXPECT_EQ(seated(Turn(s * 1 * kDeg, diagonal)), is_seated);
-      EXPECT_EQ(seated(Turn(s * 5 * kDeg, z)), is_seated);
+      EXPECT_EQ(seated(Turn(s * 1 * kDegree, diagonal)), is_seated);
+      EXPECT_EQ(seated(Turn(s * 5 * kDegree, z)), is_seated);
     }
   }
 }
@@ -67,20 +68,20 @@ TEST(Seat, SymmetryCannotBeSeen) {
 }
 
 TEST(Seat, ATurnBetweenTwoPositionsOfTheSymmetryIsSeen) {
-  const Isometry3d X = Turn(45 * kDeg, Vector3d::UnitZ());
+  const Isometry3d X = Turn(45 * kDegree, Vector3d::UnitZ());
   EXPECT_FALSE(IsSeated(X, 4, kTolerance));
   EXPECT_TRUE(IsSeated(X, 8, kTolerance));
   EXPECT_TRUE(IsSeated(X, 0, kTolerance));
-  EXPECT_NEAR(VisibleAngle(X, 4), 45 * kDeg, 1e-9);
+  EXPECT_NEAR(VisibleAngle(X, 4), 45 * kDegree, 1e-9);
   EXPECT_NEAR(VisibleAngle(X, 0), 0, 1e-9);
 }
 
 TEST(Seat, TiltIsThatOfTheAxisEitherWayUp) {
   for (const double tilt : {0., 30., 89.}) {
-    const Isometry3d X = Turn(tilt * kDeg, Vector3d::UnitY());
-    EXPECT_NEAR(TiltOf(X), tilt * kDeg, 1e-9);
+    const Isometry3d X = Turn(tilt * kDegree, Vector3d::UnitY());
+    EXPECT_NEAR(TiltOf(X), tilt * kDegree, 1e-9);
     EXPECT_NEAR(TiltOf(X * Turn(std::numbers::pi, Vector3d::UnitX())),
-                tilt * kDeg, 1e-9);
+                tilt * kDegree, 1e-9);
   }
 }
 

@@ -55,7 +55,7 @@ const std::set<std::string> kAdapters = {
     "services/recorder/log_store.cc",             // the log
 };
 
-std::vector<fs::path> Sources() {
+std::vector<fs::path> SourcePaths() {
   std::vector<fs::path> paths;
   const fs::path top = CELL_SOURCE_DIR;
   for (const char* folder : {"common", "services"}) {
@@ -116,7 +116,7 @@ TEST(Purity, CoresTouchNeitherBusClockThreadFileNorChance) {
     return path.string().starts_with("services/cell/") &&
            (token == "std::cout" || token == "std::cerr");
   };
-  for (const fs::path& path : Sources()) {
+  for (const fs::path& path : SourcePaths()) {
     if (IsAdapter(path)) continue;
     const std::string text = TextOf(path);
     for (const std::string& token : banned) {
@@ -131,7 +131,7 @@ TEST(Purity, NoServiceAndNoLibraryKnowsATask) {
   const std::set<std::string> task_words = {
       "cranfield", "peg",   "pegs",  "plate", "plates",   "faceplate",
       "pendulum",  "shaft", "screw", "stud",  "separator"};
-  for (const fs::path& path : Sources()) {
+  for (const fs::path& path : SourcePaths()) {
     for (const std::string& word : WordsOf(TextOf(path))) {
       EXPECT_FALSE(task_words.contains(word)) << path << " says " << word;
     }
@@ -145,7 +145,7 @@ TEST(Purity, EveryAdapterNamedHereExists) {
 }
 
 TEST(Purity, MainsAreTiny) {
-  for (const fs::path& path : Sources()) {
+  for (const fs::path& path : SourcePaths()) {
     if (path.filename() != "main.cc") continue;
     const std::string text = TextOf(path);
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 30) << path;

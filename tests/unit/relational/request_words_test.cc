@@ -21,7 +21,7 @@ actions:
 goals: {done: ["In(bolt_1, hole_1)"]}
 )yaml";
 
-Domain Load(const std::string& requests) {
+Domain LoadWords(const std::string& requests) {
   const Config config =
       Config::Parse(kDomain + ("requests:\n" + requests), "domain.yaml");
   Domain domain = Domain::FromConfig(config, PartTable{});
@@ -29,9 +29,9 @@ Domain Load(const std::string& requests) {
   return domain;
 }
 
-std::string ErrorOf(const std::string& requests) {
+std::string WordsErrorOf(const std::string& requests) {
   try {
-    Load(requests);
+    LoadWords(requests);
   } catch (const ConfigError& e) {
     return e.what();
   }
@@ -39,7 +39,7 @@ std::string ErrorOf(const std::string& requests) {
 }
 
 TEST(RequestWords, NameTheObjects) {
-  const Domain domain = Load(R"yaml(
+  const Domain domain = LoadWords(R"yaml(
   make_true: {Free: "empty {0}, all of {0}"}
   make_false: {In: "take the {0} out of {1}"}
   do: {Insert: "put the {0} into {1}"}
@@ -61,19 +61,19 @@ TEST(RequestWords, NameTheObjects) {
 }
 
 TEST(RequestWords, OfWhatIsNotThereAreNamedWithTheNearest) {
-  EXPECT_THAT(ErrorOf("  make_true: {Fre: \"empty {0}\"}\n"),
+  EXPECT_THAT(WordsErrorOf("  make_true: {Fre: \"empty {0}\"}\n"),
               testing::AllOf(HasSubstr("domain.yaml:requests.make_true.Fre"),
                              HasSubstr("did you mean 'Free'?")));
-  EXPECT_THAT(ErrorOf("  do: {Insret: \"put\"}\n"),
+  EXPECT_THAT(WordsErrorOf("  do: {Insret: \"put\"}\n"),
               HasSubstr("there is no action of this name; did you mean "
                         "'Insert'?"));
-  EXPECT_THAT(ErrorOf("  done: {Insert: \"put\"}\n"), HasSubstr("done"));
+  EXPECT_THAT(WordsErrorOf("  done: {Insert: \"put\"}\n"), HasSubstr("done"));
 }
 
 TEST(RequestWords, HaveNoPlaceForAnArgumentThatIsNotThere) {
-  EXPECT_THAT(ErrorOf("  make_true: {Free: \"empty {1}\"}\n"),
+  EXPECT_THAT(WordsErrorOf("  make_true: {Free: \"empty {1}\"}\n"),
               HasSubstr("its arguments are {0}"));
-  EXPECT_THAT(ErrorOf("  do: {Insert: \"put {X} in\"}\n"),
+  EXPECT_THAT(WordsErrorOf("  do: {Insert: \"put {X} in\"}\n"),
               HasSubstr("its arguments are {0}, {1}"));
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "services/robot_arm/contact/slow_down.h"
+#include "tests/unit/robot_arm/control_period.h"
 
 namespace cell {
 
@@ -14,8 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double kDt = 0.008;
 
 TEST(Admittance, FollowsEquation2WhateverPushes) {
   const Admittance::Params params{.kp = 2e-5, .ki = 4e-4, .max_drift = 1};

@@ -12,6 +12,7 @@
 #include "services/robot_arm/contact/contact_stage.h"
 #include "services/robot_arm/contact/insertion.h"
 #include "services/robot_arm/contact/screwing.h"
+#include "tests/unit/robot_arm/control_period.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -27,7 +28,6 @@ using Eigen::Vector3d;
 using testing::HasSubstr;
 using State = ContactMotion::State;
 
-constexpr double kDt = 0.008;
 constexpr double kStiffness = 10'000;  // [N/m] of arm and grip
 constexpr double kPlay = 0.001;        // [m] of a hole
 constexpr double kRim = 0.02;          // [m] height of a hole's rim

@@ -9,6 +9,7 @@
 #include "services/robot_arm/contact/straight_feed.h"
 #include "services/robot_arm/contact/thread_feed.h"
 #include "services/robot_arm/contact/tightened_termination.h"
+#include "tests/unit/robot_arm/control_period.h"
 
 namespace cell {
 
@@ -18,9 +19,7 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 using testing::HasSubstr;
-using Outcome = Termination::Outcome;
 
-constexpr double kDt = 0.008;
 constexpr double kHigh = 0.1, kLow = 0.02;  // [m]
 
 ContactState At(double commanded_height, double force = 0) {
@@ -93,16 +92,18 @@ TEST(SeatedTermination, GoesOnUntilThePartStalls) {
   const SeatedTermination seated({});
   ContactState state = Stalled(0);
   state.is_stalled = false;
-  EXPECT_EQ(seated.Judge(state).outcome, Outcome::kGoOn);
+  EXPECT_EQ(seated.Judge(state).outcome, Termination::Outcome::kGoOn);
 }
 
 TEST(SeatedTermination, IsDoneNearTheSeatAndSomewhatDeeper) {
   const SeatedTermination seated(
       {.height = 0.005, .tolerance = 0.001, .give = 0.002});
-  EXPECT_EQ(seated.Judge(Stalled(0.0059)).outcome, Outcome::kDone);
-  EXPECT_EQ(seated.Judge(Stalled(0.0021)).outcome, Outcome::kDone);
-  EXPECT_EQ(seated.Judge(Stalled(0.0061)).outcome, Outcome::kStuck);
-  EXPECT_EQ(seated.Judge(Stalled(0.0019)).outcome, Outcome::kStuck);
+  EXPECT_EQ(seated.Judge(Stalled(0.0059)).outcome, Termination::Outcome::kDone);
+  EXPECT_EQ(seated.Judge(Stalled(0.0021)).outcome, Termination::Outcome::kDone);
+  EXPECT_EQ(seated.Judge(Stalled(0.0061)).outcome,
+            Termination::Outcome::kStuck);
+  EXPECT_EQ(seated.Judge(Stalled(0.0019)).outcome,
+            Termination::Outcome::kStuck);
 }
 
 TEST(SeatedTermination, TellsHowFarFromItsSeatItIsStuck) {
@@ -118,14 +119,14 @@ ContactState Turned(double angle, double torque) {
 
 TEST(TightenedTermination, IsDoneByTorqueEitherWayWhenItHasTurnedEnough) {
   const TightenedTermination tight({});
-  EXPECT_EQ(tight.Judge(Turned(5, 0.3)).outcome, Outcome::kGoOn);
-  EXPECT_EQ(tight.Judge(Turned(5, 0.5)).outcome, Outcome::kDone);
-  EXPECT_EQ(tight.Judge(Turned(5, -0.5)).outcome, Outcome::kDone);
+  EXPECT_EQ(tight.Judge(Turned(5, 0.3)).outcome, Termination::Outcome::kGoOn);
+  EXPECT_EQ(tight.Judge(Turned(5, 0.5)).outcome, Termination::Outcome::kDone);
+  EXPECT_EQ(tight.Judge(Turned(5, -0.5)).outcome, Termination::Outcome::kDone);
 }
 
 TEST(TightenedTermination, CallsAThreadThatIsTightTooEarlyJammed) {
   const auto verdict = TightenedTermination({}).Judge(Turned(1, -0.5));
-  EXPECT_EQ(verdict.outcome, Outcome::kFailed);
+  EXPECT_EQ(verdict.outcome, Termination::Outcome::kFailed);
   EXPECT_EQ(
       verdict.reason,
       "the thread has jammed 2.0 mm from its seat: the wrist sensor "
@@ -135,7 +136,7 @@ TEST(TightenedTermination, CallsAThreadThatIsTightTooEarlyJammed) {
 
 TEST(TightenedTermination, CallsAThreadThatIsNeverTightLoose) {
   const auto verdict = TightenedTermination({}).Judge(Turned(8.5, 0.1));
-  EXPECT_EQ(verdict.outcome, Outcome::kFailed);
+  EXPECT_EQ(verdict.outcome, Termination::Outcome::kFailed);
   EXPECT_THAT(
       verdict.reason,
       HasSubstr(

@@ -9,6 +9,7 @@
 #include "services/robot_arm/contact/dither.h"
 #include "services/robot_arm/contact/spiral_search.h"
 #include "services/robot_arm/contact/stall_detector.h"
+#include "tests/unit/robot_arm/control_period.h"
 
 namespace cell {
 
@@ -17,7 +18,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kDt = 0.008;
 constexpr double kHeight = 0.02;
 
 /// Of the first spiral.

@@ -11,7 +11,7 @@ namespace cell {
 using namespace sec_builder;
 namespace {
 
-constexpr int64_t kFrame = 96'000;
+constexpr int64_t kFramePeriod = 96'000;
 
 // Changes that a series of distances [mm] gives, one frame each.
 std::vector<PairFilter::Change> Changes(const std::vector<double>& distances,
@@ -21,7 +21,7 @@ std::vector<PairFilter::Change> Changes(const std::vector<double>& distances,
   filter.Start({distances.front() * 1e-3});
   std::vector<PairFilter::Change> changes;
   for (size_t i = 0; i < distances.size(); ++i) {
-    const int64_t utime = start + kFrame * static_cast<int64_t>(i);
+    const int64_t utime = start + kFramePeriod * static_cast<int64_t>(i);
     if (const auto change = filter.See(utime, {distances[i] * 1e-3})) {
       changes.push_back(*change);
     }
@@ -33,9 +33,9 @@ TEST(PairFilter, AChangeIsDatedBackToTheFirstFrameThatShowedIt) {
   const auto changes = Changes({20, 15, 3.9, 3, 2, 9, 11, 12});
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].relation, Relation::kTouching);
-  EXPECT_EQ(changes[0].onset, 2 * kFrame);
+  EXPECT_EQ(changes[0].onset, 2 * kFramePeriod);
   EXPECT_EQ(changes[1].relation, Relation::kNotTouching);
-  EXPECT_EQ(changes[1].onset, 6 * kFrame);
+  EXPECT_EQ(changes[1].onset, 6 * kFramePeriod);
 }
 
 TEST(PairFilter, BetweenTheThresholdsNothingChanges) {
@@ -80,8 +80,9 @@ TEST(PairFilter, EveryChangeChangesSomething) {
   filter.Start({0.02});
   Relation relation = filter.relation();
   for (int i = 0; i < 5000; ++i) {
-    const auto change = filter.See(
-        kFrame * i, {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
+    const auto change =
+        filter.See(kFramePeriod * i,
+                   {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
     if (!change) continue;
     EXPECT_NE(change->relation, relation);
     relation = change->relation;
