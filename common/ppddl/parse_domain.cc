@@ -13,9 +13,9 @@
 namespace cell::ppddl {
 namespace {
 
-const std::vector<std::string> kSections = {":requirements", ":types",
-                                            ":constants",    ":predicates",
-                                            ":functions",    ":action"};
+const std::vector<std::string> kDomainSections = {
+    ":requirements", ":types",     ":constants",
+    ":predicates",   ":functions", ":action"};
 
 /// @throws PpddlError for a name that another element has
 template <class T>
@@ -160,7 +160,7 @@ Domain ParseDomain(std::string_view text, const std::string& file) {
   const Expression& define = FindDefine(expressions, "domain", file);
   Domain domain;
   domain.name = ReadName(define.items[1].items[1], "domain");
-  CheckSections(define, kSections);
+  CheckSections(define, kDomainSections);
   // Sections may stand in any order.
   const auto parse = [&](const char* name, auto reader) {
     const Expression* section = FindSection(define, name);

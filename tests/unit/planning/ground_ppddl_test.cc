@@ -21,7 +21,7 @@ std::set<std::string> NamesOf(const GroundTask& task) {
   return names;
 }
 
-std::set<std::string> AtomsOf(const GroundTask& task) {
+std::set<std::string> AtomNamesOf(const GroundTask& task) {
   std::set<std::string> names;
   for (const GroundAtom& atom : task.atoms) names.insert(Show(atom));
   return names;
@@ -34,7 +34,7 @@ TEST(GroundPpddl, OnlyWhatCanApplyIsKept) {
       UnorderedElementsAre("drive(depot, m)", "drive(m, depot)", "cross(m, t)",
                            "load(x, depot)", "load(x, m)", "load(x, t)",
                            "unload(x, depot)", "unload(x, m)", "unload(x, t)"));
-  EXPECT_THAT(AtomsOf(task),
+  EXPECT_THAT(AtomNamesOf(task),
               UnorderedElementsAre("at(depot)", "at(m)", "at(t)", "broken()",
                                    "in(x, depot)", "in(x, m)", "in(x, t)",
                                    "loaded(x)"));
@@ -42,7 +42,7 @@ TEST(GroundPpddl, OnlyWhatCanApplyIsKept) {
 
 TEST(GroundPpddl, ConstantAtomsCanBeKept) {
   const GroundTask task = TaskOf(kCourier, kDelivery, ConstantAtoms::kKeep);
-  EXPECT_THAT(AtomsOf(task), testing::Contains("road(m, t)"));
+  EXPECT_THAT(AtomNamesOf(task), testing::Contains("road(m, t)"));
   EXPECT_THAT(NamesOf(task), testing::Contains("drive(m, t)"));
 }
 

@@ -91,7 +91,7 @@ TEST(Excuse, AWishForTheGoalComesLast) {
 }
 
 /// Random STRIPS tasks with negative preconditions.
-GroundTask RandomTask(uint64_t seed) {
+GroundTask RandomStripsTask(uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto literal = [&] {
     return Literal{static_cast<int>(random() % 7), random() % 3 != 0};
@@ -144,7 +144,7 @@ TEST(Excuse, NoSmallerChangeWouldDoAndEachOneHelps) {
   int num_hard = 0;
   int num_large = 0;
   for (uint64_t seed = 0; seed < 400; ++seed) {
-    const GroundTask task = RandomTask(seed);
+    const GroundTask task = RandomStripsTask(seed);
     const Excuses excuses = FindExcuses(task);
     ASSERT_EQ(excuses.is_solvable, IsSolvable(task, {})) << seed;
     if (excuses.is_solvable) continue;
