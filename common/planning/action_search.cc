@@ -48,8 +48,8 @@ double ActionSearch::CostOf(const ExploredGraph::Choice& choice) {
 }
 
 bool ActionSearch::IsAllowed(const ExploredGraph::Choice& choice) {
-  const auto [sum, leaving] = Expected(
-      graph_.outcomes(choice), choice.state, [this](int next) {
+  const auto [sum, leaving] =
+      Expected(graph_.outcomes(choice), choice.state, [this](int next) {
         return is_safe_ ? bounds_.low(next) : bounds_.high(next);
       });
   const double slack = is_safe_ ? 1e-12 : std::max(2 * precision_, 1e-9);
@@ -143,8 +143,7 @@ bool ActionSearch::Run(int state) {
   return false;
 }
 
-bool ActionSearch::Minimize(int state, double precision,
-                            const Budget& budget) {
+bool ActionSearch::Minimize(int state, double precision, const Budget& budget) {
   precision_ = precision;
   budget_ = budget;
   is_safe_ = false;
@@ -175,8 +174,9 @@ ActionSearch::Value ActionSearch::Evaluate(int state) const {
     auto& [s, next] = frames.back();
     const int choice = ChoiceIn(s);
     if (choice >= 0 && next < graph_.choice(choice).num_outcomes) {
-      const int target = graph_.outcomes(
-          graph_.choice(choice))[static_cast<size_t>(next++)].state;
+      const int target =
+          graph_.outcomes(graph_.choice(choice))[static_cast<size_t>(next++)]
+              .state;
       if (static_cast<size_t>(target) < place.size() &&
           place[static_cast<size_t>(target)] < 0) {
         open(target);
@@ -197,16 +197,15 @@ ActionSearch::Value ActionSearch::Evaluate(int state) const {
       if (graph_.IsGoal(s)) {
         values[i] = are_costs ? 0 : 1;
       } else if (choice >= 0) {
-        const auto [sum, leaving] = Expected(
-            graph_.outcomes(graph_.choice(choice)), s, [&](int next) {
+        const auto [sum, leaving] =
+            Expected(graph_.outcomes(graph_.choice(choice)), s, [&](int next) {
               const auto index = static_cast<size_t>(next);
               if (index >= place.size() || place[index] < 0) return 0.0;
               return values[static_cast<size_t>(place[index])];
             });
-        const double value =
-            ((are_costs ? probability[i] : 0) + sum) / leaving;
-        change = std::max(change, std::abs(value - values[i]) /
-                                      std::max(1.0, value));
+        const double value = ((are_costs ? probability[i] : 0) + sum) / leaving;
+        change = std::max(change,
+                          std::abs(value - values[i]) / std::max(1.0, value));
         values[i] = value;
       }
     }

@@ -13,8 +13,7 @@ void AddOnce(std::vector<T>& list, const T& element) {
 
 bool Contradicts(const Conjunction& conjunction) {
   return std::ranges::any_of(conjunction.literals, [&](const Literal& l) {
-    return std::ranges::find(conjunction.literals,
-                             Literal{l.atom, !l.value}) !=
+    return std::ranges::find(conjunction.literals, Literal{l.atom, !l.value}) !=
            conjunction.literals.end();
   });
 }
@@ -33,15 +32,18 @@ std::vector<Literal> AsClause(const Alternatives& alternatives) {
 /// True if one of the literals holds whatever the state.
 bool IsCertain(const std::vector<Literal>& clause) {
   return std::ranges::any_of(clause, [&](const Literal& l) {
-    return std::ranges::find(clause, Literal{l.atom, !l.value}) !=
-           clause.end();
+    return std::ranges::find(clause, Literal{l.atom, !l.value}) != clause.end();
   });
 }
 
 }  // namespace
 
-Alternatives True() { return {Conjunction{}}; }
-Alternatives False() { return {}; }
+Alternatives True() {
+  return {Conjunction{}};
+}
+Alternatives False() {
+  return {};
+}
 
 Alternatives Both(const Alternatives& a, const Alternatives& b) {
   Alternatives both;

@@ -14,11 +14,11 @@ constexpr int64_t kExpansionsPerCheck = 4096;
 bool BoundSearch::IsSpent(const Budget& budget) {
   if (graph_.num_expansions() >= next_check_) {
     next_check_ = graph_.num_expansions() + kExpansionsPerCheck;
-    const auto own = static_cast<int64_t>(
-        marks_.capacity() * sizeof(Mark) +
-        tried_in_.capacity() * sizeof(int64_t));
-    is_out_of_memory_ = graph_.num_bytes() + bounds_.num_bytes() + own >
-                        budget.max_bytes;
+    const auto own =
+        static_cast<int64_t>(marks_.capacity() * sizeof(Mark) +
+                             tried_in_.capacity() * sizeof(int64_t));
+    is_out_of_memory_ =
+        graph_.num_bytes() + bounds_.num_bytes() + own > budget.max_bytes;
   }
   return is_out_of_memory_ || graph_.num_expansions() >= budget.max_expansions;
 }
@@ -82,8 +82,7 @@ void BoundSearch::Step() {
   if (frame.choice >= 0) {
     const auto outcomes = graph_.outcomes(graph_.choice(frame.choice));
     while (frame.outcome < static_cast<int>(outcomes.size())) {
-      const auto& outcome =
-          outcomes[static_cast<size_t>(frame.outcome++)];
+      const auto& outcome = outcomes[static_cast<size_t>(frame.outcome++)];
       const int next = bounds_.BlockOf(outcome.state);
       const double reach = frame.reach * outcome.probability;
       if (static_cast<size_t>(next) < marks_.size() &&

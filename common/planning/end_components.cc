@@ -6,7 +6,9 @@
 namespace cell::planning {
 namespace {
 
-size_t At(int i) { return static_cast<size_t>(i); }
+size_t At(int i) {
+  return static_cast<size_t>(i);
+}
 
 /// Strongly connected components by the choices that are left (Tarjan, without
 /// recursion). The component's number of each node.
@@ -106,10 +108,9 @@ std::vector<std::vector<int>> EndComponents(const LocalGraph& graph) {
     for (size_t node = 0; node < graph.size(); ++node) {
       for (size_t c = 0; c < graph[node].size(); ++c) {
         if (is_left[node][c] == 0) continue;
-        const bool stays =
-            std::ranges::all_of(graph[node][c], [&](int target) {
-              return component_of[At(target)] == component_of[node];
-            });
+        const bool stays = std::ranges::all_of(graph[node][c], [&](int target) {
+          return component_of[At(target)] == component_of[node];
+        });
         if (stays) continue;
         is_left[node][c] = 0;
         is_stable = false;

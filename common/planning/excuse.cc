@@ -111,8 +111,8 @@ class ExcuseSearch {
     for (const Literal& l : changes) {
       state[static_cast<size_t>(l.atom)] = l.value;
     }
-    const auto answer = goal_search_.CanReachGoal(model_->Pack(state),
-                                                  options_.max_expansions);
+    const auto answer =
+        goal_search_.CanReachGoal(model_->Pack(state), options_.max_expansions);
     was_cut_ |= answer == GoalSearch::Answer::kUndecided;
     return answer == GoalSearch::Answer::kYes;
   }
@@ -188,9 +188,9 @@ std::string Say(const Literal& literal, const GroundTask& task,
   if (found == words.end()) return Show(literal, task.atoms);
   fmt::dynamic_format_arg_store<fmt::format_context> objects;
   for (const std::string& object : atom.objects) objects.push_back(object);
-  return fmt::vformat(literal.value ? found->second.when_true
-                                    : found->second.when_false,
-                      objects);
+  return fmt::vformat(
+      literal.value ? found->second.when_true : found->second.when_false,
+      objects);
 }
 
 std::string Explain(const Excuse& excuse, const GroundTask& task,

@@ -66,10 +66,9 @@ void ExploredGraph::AddChoice(const Expansion::Choice& choice, int state) {
     const int index = choice.first_outcome + i;
     const int next = Enter(expansion_.state(index));
     const double probability = expansion_.probability(index);
-    const auto known =
-        std::find_if(outcomes_.begin() + static_cast<std::ptrdiff_t>(first),
-                     outcomes_.end(),
-                     [&](const Outcome& o) { return o.state == next; });
+    const auto known = std::find_if(
+        outcomes_.begin() + static_cast<std::ptrdiff_t>(first), outcomes_.end(),
+        [&](const Outcome& o) { return o.state == next; });
     if (known == outcomes_.end()) {
       outcomes_.push_back({next, probability});
     } else {

@@ -65,9 +65,9 @@ class Grounder {
           world_, action, kMaxBindings,
           [&](const Objects& objects) { AddAction(action, objects); });
       if (!is_done) {
-        throw TooLarge{fmt::format(
-            "{} has more than {} combinations of objects; {}", action.name,
-            kMaxBindings, kAdvice)};
+        throw TooLarge{
+            fmt::format("{} has more than {} combinations of objects; {}",
+                        action.name, kMaxBindings, kAdvice)};
       }
     }
     where_ = "the goal";
@@ -96,9 +96,9 @@ class Grounder {
     for (const Conjunction& precondition : preconditions) {
       task_.actions.push_back({Show(name), precondition, outcomes});
       if (static_cast<int64_t>(task_.actions.size()) > limits_.max_actions) {
-        throw TooLarge{fmt::format(
-            "there are more than {} ground actions, at {}; {}",
-            limits_.max_actions, where_, kAdvice)};
+        throw TooLarge{
+            fmt::format("there are more than {} ground actions, at {}; {}",
+                        limits_.max_actions, where_, kAdvice)};
       }
     }
   }
@@ -213,11 +213,10 @@ class Grounder {
                                         const Objects& binding) {
     CheckInstances(condition.variables);
     std::vector<Alternatives> instances;
-    ForEachExtension(world_, condition.variables, binding,
-                     [&](const Objects& extended) {
-                       instances.push_back(
-                           Normalize(condition.parts[0], value, extended));
-                     });
+    ForEachExtension(
+        world_, condition.variables, binding, [&](const Objects& extended) {
+          instances.push_back(Normalize(condition.parts[0], value, extended));
+        });
     return instances;
   }
 
@@ -276,11 +275,10 @@ class Grounder {
   std::vector<Outcome> ForAll(const Effect& effect, const Objects& binding) {
     CheckInstances(effect.variables);
     std::vector<Outcome> joint = {{1, {}}};
-    ForEachExtension(world_, effect.variables, binding,
-                     [&](const Objects& extended) {
-                       joint = Product(joint,
-                                       OutcomesOf(effect.parts[0], extended));
-                     });
+    ForEachExtension(
+        world_, effect.variables, binding, [&](const Objects& extended) {
+          joint = Product(joint, OutcomesOf(effect.parts[0], extended));
+        });
     return joint;
   }
 
@@ -320,7 +318,8 @@ class Grounder {
         limits_.max_outcomes) {
       throw TooLarge{fmt::format(
           "{} has more than {} outcomes: independent probabilistic effects "
-          "multiply", where_, limits_.max_outcomes)};
+          "multiply",
+          where_, limits_.max_outcomes)};
     }
     std::vector<Outcome> product;
     for (const Outcome& left : a) {

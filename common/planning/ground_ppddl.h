@@ -23,9 +23,9 @@ enum class ConstantAtoms {
 
 /// The task of a PPDDL problem: the actions for all objects that fit. Costs and
 /// rewards are left out. The reason names what is larger than the limits.
-Result<GroundTask> GroundPpddl(const ppddl::Domain& domain,
-                               const ppddl::Problem& problem,
-                               ConstantAtoms constants = ConstantAtoms::kReplace,
-                               const GroundingLimits& limits = {});
+Result<GroundTask> GroundPpddl(
+    const ppddl::Domain& domain, const ppddl::Problem& problem,
+    ConstantAtoms constants = ConstantAtoms::kReplace,
+    const GroundingLimits& limits = {});
 
 }  // namespace cell::planning

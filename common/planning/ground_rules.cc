@@ -21,7 +21,9 @@ struct Instance {
 class RuleGrounder {
  public:
   RuleGrounder(const RuleSet& rules, Agent agent, const State& state)
-      : rules_(rules), vocabulary_(rules.vocabulary()), agent_(agent),
+      : rules_(rules),
+        vocabulary_(rules.vocabulary()),
+        agent_(agent),
         nothing_(vocabulary_.num_atoms()) {
     for (int atom = 0; atom < vocabulary_.num_atoms(); ++atom) {
       const cell::GroundAtom ground = vocabulary_.Atom(atom);
@@ -90,10 +92,10 @@ class RuleGrounder {
   }
 
   /// Binds the references from `next` on in all ways.
-  void BindReferences(const NdrRule& rule, size_t next, const Binding& binding,
-                      const Alternatives& when,
-                      const std::function<void(const Binding&,
-                                               const Alternatives&)>& visit) {
+  void BindReferences(
+      const NdrRule& rule, size_t next, const Binding& binding,
+      const Alternatives& when,
+      const std::function<void(const Binding&, const Alternatives&)>& visit) {
     if (when.empty()) return;
     if (next == rule.references.size()) return visit(binding, when);
     const DeicticReference& reference = rule.references[next];
@@ -120,8 +122,8 @@ class RuleGrounder {
       if (!rule.IsFor(agent_)) continue;
       BindReferences(rule, 0, action.arguments, True(),
                      [&](const Binding& binding, const Alternatives& when) {
-                       Alternatives all = Both(when, All(rule.context,
-                                                         binding));
+                       Alternatives all =
+                           Both(when, All(rule.context, binding));
                        if (all.empty()) return;
                        instances.push_back({r, binding, std::move(all)});
                      });
@@ -135,8 +137,8 @@ class RuleGrounder {
     for (const Conjunction& conjunction : alternatives) {
       Alternatives broken;
       const auto add = [&](Alternatives one) {
-        broken = broken.empty() ? std::move(one)
-                                : Either(std::move(broken), one);
+        broken =
+            broken.empty() ? std::move(one) : Either(std::move(broken), one);
       };
       for (const Literal& l : conjunction.literals) {
         add({Conjunction{{{l.atom, !l.value}}, {}}});
@@ -162,8 +164,7 @@ class RuleGrounder {
         if (other.rule == instance.rule) continue;
         when = Both(when, Neither(other.when));
       }
-      const NdrRule& rule =
-          rules_.ActionOf(action).rules[instance.rule];
+      const NdrRule& rule = rules_.ActionOf(action).rules[instance.rule];
       for (const Conjunction& precondition : when) {
         result_.task.actions.push_back({rules_.Show(action), precondition,
                                         OutcomesOf(rule, instance.binding)});
@@ -177,21 +178,20 @@ class RuleGrounder {
     std::vector<Outcome> outcomes;
     for (const cell::Outcome& outcome : rule.outcomes) {
       Outcome ground{outcome.probability, {}};
-      ForEachEffect(outcome, binding, vocabulary_,
-                    [&](const cell::Effect& effect, const Binding& bound) {
-                      std::vector<Literal> then;
-                      for (const cell::Literal& literal : effect.then) {
-                        for (const int atom :
-                             Groundings(literal, bound, vocabulary_)) {
-                          then.push_back({atom, !literal.is_negated});
-                        }
-                      }
-                      if (then.empty()) return;
-                      for (const Conjunction& when :
-                           All(effect.where, bound)) {
-                        ground.effects.push_back({when, then});
-                      }
-                    });
+      ForEachEffect(
+          outcome, binding, vocabulary_,
+          [&](const cell::Effect& effect, const Binding& bound) {
+            std::vector<Literal> then;
+            for (const cell::Literal& literal : effect.then) {
+              for (const int atom : Groundings(literal, bound, vocabulary_)) {
+                then.push_back({atom, !literal.is_negated});
+              }
+            }
+            if (then.empty()) return;
+            for (const Conjunction& when : All(effect.where, bound)) {
+              ground.effects.push_back({when, then});
+            }
+          });
       outcomes.push_back(std::move(ground));
     }
     return outcomes;

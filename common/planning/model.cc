@@ -19,6 +19,8 @@ std::span<uint64_t> Expansion::AddOutcome(double probability, Bits start) {
   return std::span(words_).last(num_words_);
 }
 
-Estimate Model::Assess(std::span<uint64_t>) const { return {}; }
+Estimate Model::Assess(std::span<uint64_t>) const {
+  return {};
+}
 
 }  // namespace cell::planning

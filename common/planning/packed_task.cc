@@ -26,7 +26,8 @@ PackedTask::PackedTask(const GroundTask& task)
   for (const Conjunction& goal : task.goals) goals_.push_back(Pack(goal));
 }
 
-PackedTask::Range PackedTask::PackMasks(const std::vector<Literal>& literals) {
+PackedTask::Range PackedTask::PackMasks(const std::vector<Literal>& literals,
+                                        bool are_changes) {
   const size_t begin = masks_.size();
   for (const Literal& literal : literals) {
     if (literal.atom < 0 || literal.atom >= num_atoms_) {
@@ -40,17 +41,18 @@ PackedTask::Range PackedTask::PackMasks(const std::vector<Literal>& literals) {
         [&](const Mask& m) { return m.word == word; });
     if (mask == masks_.end()) mask = masks_.insert(mask, Mask{word, 0, 0});
     (literal.value ? mask->set : mask->clear) |= bit;
-    (literal.value ? mask->clear : mask->set) &= ~bit;  // the last one counts
+    // Of changes the last one counts; a condition may contradict itself.
+    if (are_changes) (literal.value ? mask->clear : mask->set) &= ~bit;
   }
   return {begin, masks_.size()};
 }
 
 PackedTask::Condition PackedTask::Pack(const Conjunction& conjunction) {
   Condition condition;
-  condition.masks = PackMasks(conjunction.literals);
+  condition.masks = PackMasks(conjunction.literals, false);
   condition.clauses.begin = clauses_.size();
   for (const auto& clause : conjunction.clauses) {
-    clauses_.push_back(PackMasks(clause));
+    clauses_.push_back(PackMasks(clause, false));
   }
   condition.clauses.end = clauses_.size();
   return condition;
@@ -58,7 +60,7 @@ PackedTask::Condition PackedTask::Pack(const Conjunction& conjunction) {
 
 PackedTask::Effect PackedTask::Pack(const ConditionalEffect& effect) {
   const Condition when = Pack(effect.when);
-  return {when, PackMasks(effect.then)};
+  return {when, PackMasks(effect.then, true)};
 }
 
 PackedTask::Action PackedTask::Pack(const GroundAction& action) {

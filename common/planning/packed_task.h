@@ -49,7 +49,7 @@ class PackedTask {
     double rest;  ///< probability that nothing changes
   };
 
-  Range PackMasks(const std::vector<Literal>& literals);
+  Range PackMasks(const std::vector<Literal>& literals, bool are_changes);
   Condition Pack(const Conjunction& conjunction);
   Effect Pack(const ConditionalEffect& effect);
   Action Pack(const GroundAction& action);

@@ -61,8 +61,8 @@ class Planner::Search {
     const bool is_solved =
         bound_search_.Solve(start, params_.precision, budget_);
     if (bounds_.low(start) <= 0) {
-      plan->probability = {0, bounds_.high(start)};
-      const bool is_proven = bounds_.high(start) <= 0;
+      const bool is_proven = is_solved && !MayReachGoal(start);
+      plan->probability = {0, is_proven ? 0 : bounds_.high(start)};
       plan->status =
           is_proven ? Plan::Status::kNoPlan : Plan::Status::kUndecided;
       plan->reason = is_proven ? "no sequence of actions reaches the goal, "
@@ -84,6 +84,28 @@ class Planner::Search {
     plan->alternatives = AlternativesIn(start);
   }
 
+  /// Whether a goal is among the states that can be reached, or the budget is
+  /// spent before all are known. A small upper bound alone proves nothing.
+  bool MayReachGoal(int start) {
+    std::vector<int> states = {start};
+    std::set<int> seen = {start};
+    for (size_t i = 0; i < states.size(); ++i) {
+      const int s = states[i];
+      if (graph_.IsGoal(s)) return true;
+      if (bounds_.high(s) <= 0) continue;
+      if (!bound_search_.TryExpand(s, budget_)) return true;
+      const int first = graph_.first_choice(s);
+      for (int c = first; c < first + graph_.num_choices(s); ++c) {
+        for (const auto& outcome : graph_.outcomes(graph_.choice(c))) {
+          if (seen.insert(outcome.state).second) {
+            states.push_back(outcome.state);
+          }
+        }
+      }
+    }
+    return false;
+  }
+
   std::string WhyUndecided() const {
     return fmt::format(
         "no way to the goal was found within the budget; {} explored",
@@ -95,10 +117,10 @@ class Planner::Search {
     ExploredGraph::Outcome best{-1, 0};
     double best_weight = -1;
     for (const auto& outcome : graph_.outcomes(choice)) {
-      const double weight = outcome.state == choice.state
-                                ? 0
-                                : outcome.probability *
-                                      bounds_.low(outcome.state);
+      const double weight =
+          outcome.state == choice.state
+              ? 0
+              : outcome.probability * bounds_.low(outcome.state);
       if (weight > best_weight) {
         best_weight = weight;
         best = outcome;
@@ -115,8 +137,7 @@ class Planner::Search {
       if (index < 0) break;
       const ExploredGraph::Choice& choice = graph_.choice(index);
       const ExploredGraph::Outcome outcome = LikelyOutcome(choice);
-      course.push_back({choice.action,
-                        graph_.model().ActionName(choice.action),
+      course.push_back({choice.action, graph_.model().ActionName(choice.action),
                         outcome.probability});
       state = outcome.state;
     }
@@ -143,16 +164,16 @@ class Planner::Search {
     const int first = graph_.first_choice(start);
     for (int c = first; c < first + graph_.num_choices(start); ++c) {
       const ExploredGraph::Choice& choice = graph_.choice(c);
-      Alternative alternative{choice.action,
-                              graph_.model().ActionName(choice.action),
-                              {0, 0}};
+      Alternative alternative{
+          choice.action, graph_.model().ActionName(choice.action), {0, 0}};
       for (const auto& [next, probability] : graph_.outcomes(choice)) {
         alternative.probability.low += probability * bounds_.low(next);
         alternative.probability.high += probability * bounds_.high(next);
       }
       if (alternative.probability.high <= 0) continue;
       alternatives.push_back(std::move(alternative));
-      if (c == chosen) std::ranges::rotate(alternatives, alternatives.end() - 1);
+      if (c == chosen)
+        std::ranges::rotate(alternatives, alternatives.end() - 1);
     }
     if (chosen >= 0) {
       std::stable_sort(alternatives.begin() + 1, alternatives.end(),
@@ -176,7 +197,9 @@ Planner::Planner(std::shared_ptr<const Model> model, const Params& params)
 
 Planner::~Planner() = default;
 
-Plan Planner::Find(Bits state) { return search_->Find(state); }
+Plan Planner::Find(Bits state) {
+  return search_->Find(state);
+}
 
 std::optional<int> Planner::ActionIn(Bits state) const {
   return search_->ActionIn(state);

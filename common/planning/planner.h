@@ -73,7 +73,7 @@ class Planner {
     /// States whose successors are computed, in one call of Find().
     int64_t max_expansions = 10'000'000;
     /// Ends the search like max_expansions.
-    int64_t max_bytes = int64_t{1500} << 20;
+    int64_t max_bytes = int64_t{1000} << 20;
     /// Width of the interval of the probability that is good enough.
     double precision = 1e-9;
     /// Whether to look for the fewest actions among the best policies.

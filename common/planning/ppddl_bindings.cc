@@ -57,12 +57,10 @@ class Enumeration {
       return;
     }
     const bool is_negated = condition.kind == Condition::Kind::kNot;
-    const Condition& literal =
-        is_negated ? condition.parts.front() : condition;
-    const bool is_fixed =
-        literal.kind == Condition::Kind::kEqual ||
-        (literal.kind == Condition::Kind::kAtom &&
-         world_.IsStatic(literal.predicate));
+    const Condition& literal = is_negated ? condition.parts.front() : condition;
+    const bool is_fixed = literal.kind == Condition::Kind::kEqual ||
+                          (literal.kind == Condition::Kind::kAtom &&
+                           world_.IsStatic(literal.predicate));
     if (is_fixed) {
       checks_[NumNeeded(literal)].push_back({&literal, !is_negated});
     }
@@ -81,11 +79,10 @@ class Enumeration {
 
   /// The checks whose last variable was bound last.
   bool Passes() const {
-    return std::ranges::all_of(
-        checks_[binding_.size()],
-        [&](const Check& check) {
-          return Holds(*check.literal) == check.value;
-        });
+    return std::ranges::all_of(checks_[binding_.size()],
+                               [&](const Check& check) {
+                                 return Holds(*check.literal) == check.value;
+                               });
   }
 
   /// Objects for the next parameter from a static atom that speaks of it once.
@@ -98,8 +95,8 @@ class Enumeration {
       const std::vector<Term>& terms = check.literal->terms;
       const Term wanted{true, next};
       if (std::ranges::count(terms, wanted) != 1) continue;
-      const auto place = static_cast<size_t>(
-          std::ranges::find(terms, wanted) - terms.begin());
+      const auto place =
+          static_cast<size_t>(std::ranges::find(terms, wanted) - terms.begin());
       std::vector<int> others;
       for (size_t i = 0; i < terms.size(); ++i) {
         if (i != place) others.push_back(ObjectOf(terms[i], binding_));

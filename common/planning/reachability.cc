@@ -84,7 +84,9 @@ Reachability::Reachability(const GroundTask& task)
 }
 
 bool Reachability::Has(const Conjunction& conjunction) const {
-  const auto has = [this](const Literal& l) { return Has(l); };
+  const auto has = [this](const Literal& l) {
+    return Has(l);
+  };
   return std::ranges::all_of(conjunction.literals, has) &&
          std::ranges::all_of(conjunction.clauses, [&](const auto& clause) {
            return std::ranges::any_of(clause, has);
@@ -110,8 +112,8 @@ void RemoveUnreachable(GroundTask* task) {
   std::vector<GroundAction> actions;
   for (const GroundAction& action : task->actions) {
     if (!reached.Has(action.precondition)) continue;
-    GroundAction kept{action.name, Simplified(action.precondition, reached),
-                      {}};
+    GroundAction kept{
+        action.name, Simplified(action.precondition, reached), {}};
     bool changes = false;
     for (const Outcome& outcome : action.outcomes) {
       kept.outcomes.push_back(Simplified(outcome, reached));
@@ -129,9 +131,8 @@ void RemoveUnreachable(GroundTask* task) {
 
 void RemoveUnusedAtoms(GroundTask* task) {
   std::vector<bool> is_used(task->atoms.size());
-  ForEachLiteral(task, [&](Literal& l) {
-    is_used[static_cast<size_t>(l.atom)] = true;
-  });
+  ForEachLiteral(
+      task, [&](Literal& l) { is_used[static_cast<size_t>(l.atom)] = true; });
   std::vector<int> new_index(task->atoms.size());
   GroundTask kept;
   for (size_t atom = 0; atom < is_used.size(); ++atom) {

@@ -12,9 +12,7 @@ class Reachability {
  public:
   explicit Reachability(const GroundTask& task);
 
-  bool Has(const Literal& literal) const {
-    return has_[Index(literal)];
-  }
+  bool Has(const Literal& literal) const { return has_[Index(literal)]; }
   bool Has(const Conjunction& conjunction) const;
   /// True if the atom never changes.
   bool IsConstant(int atom) const {

@@ -10,8 +10,7 @@ Regression::Regression(const GroundTask& task,
   for (const GroundAction& action : task.actions) {
     for (const Outcome& outcome : action.outcomes) {
       for (const ConditionalEffect& effect : outcome.effects) {
-        rules_.push_back(
-            {{&action.precondition, &effect.when}, &effect.then});
+        rules_.push_back({{&action.precondition, &effect.when}, &effect.then});
       }
     }
   }
@@ -89,8 +88,7 @@ std::vector<Literal> Regression::Missing() const {
   return missing;
 }
 
-std::vector<Literal> Regression::SupportOf(
-    const Conjunction& condition) const {
+std::vector<Literal> Regression::SupportOf(const Conjunction& condition) const {
   std::vector<Literal> support = condition.literals;
   for (const auto& clause : condition.clauses) {
     const Literal* first = nullptr;

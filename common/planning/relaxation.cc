@@ -1,6 +1,7 @@
 #include "common/planning/relaxation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -84,6 +85,20 @@ void Relaxation::AddOperators(const GroundAction& action) {
   for (auto& [facts, op] : by_facts) operators_.push_back(std::move(op));
 }
 
+void Relaxation::MarkNeeded(const std::vector<std::vector<int>>& needing,
+                            const std::vector<std::vector<int>>& clauses) {
+  for (size_t fact = 0; fact < needing.size(); ++fact) {
+    is_needed_.push_back(!needing[fact].empty() || !clauses[fact].empty());
+  }
+  is_needed_[static_cast<size_t>(goal_fact_)] = 1;
+  for (int atom = 0; atom < num_atoms_; ++atom) {
+    const auto fact = static_cast<size_t>(2 * atom);
+    if (is_needed_[fact] != 0 || is_needed_[fact + 1] != 0) {
+      needed_atoms_.push_back(atom);
+    }
+  }
+}
+
 void Relaxation::Index() {
   const auto num_facts = static_cast<size_t>(num_facts_);
   std::vector<std::vector<int>> clauses(num_facts);
@@ -99,10 +114,9 @@ void Relaxation::Index() {
     const Operator& op = operators_[i];
     const int index = static_cast<int>(i);
     num_needed_.push_back(static_cast<int>(op.facts.size()));
-    const bool needs_false =
-        std::ranges::any_of(op.facts, [this](int fact) {
-          return fact >= 2 * num_atoms_ || fact % 2 == 0;
-        });
+    const bool needs_false = std::ranges::any_of(op.facts, [this](int fact) {
+      return fact >= 2 * num_atoms_ || fact % 2 == 0;
+    });
     if (needs_false) needing_false_.push_back(index);
     for (const int fact : op.facts) {
       needing[static_cast<size_t>(fact)].push_back(index);
@@ -113,8 +127,16 @@ void Relaxation::Index() {
       if (list.empty() || list.back() != index) list.push_back(index);
     }
     facts.push_back(op.facts);
-    added.push_back(op.added);
     atoms.push_back(op.atoms);
+    if (op.facts.empty()) always_.push_back(index);
+  }
+  MarkNeeded(needing, clauses);
+  for (const Operator& op : operators_) {
+    added.emplace_back();
+    std::ranges::copy_if(op.added, std::back_inserter(added.back()),
+                         [this](int fact) {
+                           return is_needed_[static_cast<size_t>(fact)] != 0;
+                         });
   }
   clauses_with_ = Flatten(clauses);
   operators_needing_ = Flatten(needing);
@@ -126,39 +148,43 @@ void Relaxation::Index() {
   cost_.resize(num_facts);
 }
 
-void Relaxation::Reach(int fact, int layer, double cost) const {
+inline void Relaxation::ReachOne(int fact, int layer, double cost) const {
   const auto index = static_cast<size_t>(fact);
   if (layer_[index] >= 0) return;
   layer_[index] = layer;
   cost_[index] = cost;
   queue_.push_back(fact);
-  for (const int clause : clauses_with_.Of(fact)) Reach(clause, layer, cost);
 }
 
-void Relaxation::Fire(int op, int layer) const {
-  double cost = 1;
-  for (const int fact : facts_of_.Of(op)) {
-    cost += cost_[static_cast<size_t>(fact)];
-  }
+inline void Relaxation::Reach(int fact, int layer, double cost) const {
+  ReachOne(fact, layer, cost);
+  if (clauses_.empty()) return;
+  for (const int clause : clauses_with_.Of(fact)) ReachOne(clause, layer, cost);
+}
+
+inline void Relaxation::Fire(int op, int layer) const {
+  const double cost = 1 + operator_cost_[static_cast<size_t>(op)];
   for (const int fact : added_by_.Of(op)) Reach(fact, layer, cost);
 }
 
 void Relaxation::ReachAll(Bits state) const {
   num_missing_ = num_needed_;
+  operator_cost_.assign(num_needed_.size(), 0);
   layer_.assign(static_cast<size_t>(num_facts_), -1);
   queue_.clear();
-  for (int atom = 0; atom < num_atoms_; ++atom) {
-    const bool value = (state[static_cast<size_t>(atom / 64)] >>
-                        (atom % 64) & 1) != 0;
-    Reach(FactOf({atom, value}), 0, 0);
+  for (const int atom : needed_atoms_) {
+    const bool value =
+        (state[static_cast<size_t>(atom / 64)] >> (atom % 64) & 1) != 0;
+    const int fact = FactOf({atom, value});
+    if (is_needed_[static_cast<size_t>(fact)] != 0) Reach(fact, 0, 0);
   }
-  for (size_t op = 0; op < num_needed_.size(); ++op) {
-    if (num_needed_[op] == 0) Fire(static_cast<int>(op), 1);
-  }
+  for (const int op : always_) Fire(op, 1);
   for (size_t i = 0; i < queue_.size(); ++i) {
     const int fact = queue_[i];
     const int layer = layer_[static_cast<size_t>(fact)];
+    const double cost = cost_[static_cast<size_t>(fact)];
     for (const int op : operators_needing_.Of(fact)) {
+      operator_cost_[static_cast<size_t>(op)] += cost;
       if (--num_missing_[static_cast<size_t>(op)] == 0) Fire(op, layer + 1);
     }
   }
@@ -186,8 +212,8 @@ void Relaxation::MarkRelevant() const {
 
 void Relaxation::Keep(int fact) const {
   if (fact >= 2 * num_atoms_) {
-    for (const int literal : clauses_[static_cast<size_t>(
-             fact - 2 * num_atoms_)]) {
+    for (const int literal :
+         clauses_[static_cast<size_t>(fact - 2 * num_atoms_)]) {
       Keep(literal);
     }
     return;

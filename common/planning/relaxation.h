@@ -26,9 +26,9 @@ class Relaxation {
  private:
   /// Effects of an action that have the same condition.
   struct Operator {
-    std::vector<int> facts;       ///< what must be reached
-    std::vector<int> atoms;       ///< that the facts depend on
-    std::vector<int> added;       ///< facts
+    std::vector<int> facts;  ///< what must be reached
+    std::vector<int> atoms;  ///< that the facts depend on
+    std::vector<int> added;  ///< facts
   };
   /// Lists by index, in one array.
   struct Lists {
@@ -47,7 +47,10 @@ class Relaxation {
   Operator OperatorOf(const Conjunction& condition);
   void AddOperators(const GroundAction& action);
   void Index();
+  void MarkNeeded(const std::vector<std::vector<int>>& needing,
+                  const std::vector<std::vector<int>>& clauses);
   void Reach(int fact, int layer, double cost) const;
+  void ReachOne(int fact, int layer, double cost) const;
   void ReachAll(Bits state) const;
   void Fire(int op, int layer) const;
   void MarkRelevant() const;
@@ -59,18 +62,22 @@ class Relaxation {
   int goal_fact_ = 0;
   std::map<std::vector<Literal>, int> fact_of_clause_;
   std::vector<Operator> operators_;
-  std::vector<int> num_needed_;        // facts of each operator
-  std::vector<int> needing_false_;     // operators that an atom could block
+  std::vector<int> num_needed_;            // facts of each operator
+  std::vector<int> always_;                // operators that need nothing
+  std::vector<int> needing_false_;         // operators that an atom could block
   std::vector<std::vector<int>> clauses_;  // literals as facts
-  Lists clauses_with_;                 // by fact: facts of clauses
-  Lists operators_needing_;            // by fact
-  Lists facts_of_, added_by_, atoms_of_;  // by operator
-  Lists operators_changing_;           // by atom; goals last
+  Lists clauses_with_;                     // by fact: facts of clauses
+  Lists operators_needing_;                // by fact
+  Lists facts_of_, added_by_, atoms_of_;   // by operator
+  std::vector<char> is_needed_;            // by fact: some operator needs it
+  std::vector<int> needed_atoms_;          // with a fact that is needed
+  Lists operators_changing_;               // by atom; goals last
   // What the last exploration has reached; scratch.
-  mutable std::vector<int> num_missing_;
-  mutable std::vector<int> layer_;    // of each fact, -1: not reached
-  mutable std::vector<double> cost_;  // of each fact
-  mutable std::vector<int> queue_;    // facts in the order of their layers
+  mutable std::vector<int> num_missing_;       // facts of each operator
+  mutable std::vector<double> operator_cost_;  // of the facts reached so far
+  mutable std::vector<int> layer_;             // of each fact, -1: not reached
+  mutable std::vector<double> cost_;           // of each fact
+  mutable std::vector<int> queue_;  // facts in the order of their layers
   mutable std::vector<uint64_t> relevant_;
   mutable std::vector<char> is_seen_;
 };

@@ -13,9 +13,9 @@
 namespace cell::ppddl {
 namespace {
 
-const std::vector<std::string> kSections = {
-    ":requirements", ":types", ":constants", ":predicates", ":functions",
-    ":action"};
+const std::vector<std::string> kDomainSections = {
+    ":requirements", ":types",     ":constants",
+    ":predicates",   ":functions", ":action"};
 
 /// @throws PpddlError for a name that another element has
 template <class T>
@@ -49,13 +49,11 @@ void ParseTypes(const Expression& section, Domain* domain) {
     }
     if (item.Is("-")) continue;
     ReadName(item, "type");
-    const auto it =
-        std::ranges::find(domain->types, item.word, &Type::name);
+    const auto it = std::ranges::find(domain->types, item.word, &Type::name);
     if (it == domain->types.end()) domain->types.push_back({item.word, 0});
   }
   std::set<std::string> declared;
-  for (const auto& [name, type] :
-       ReadTypedNames(section, 1, Scope(*domain))) {
+  for (const auto& [name, type] : ReadTypedNames(section, 1, Scope(*domain))) {
     if (!declared.insert(name->word).second) {
       name->Fail("the type '" + name->word + "' is declared twice");
     }
@@ -102,9 +100,9 @@ void ParseFunctions(const Expression& section, Domain* domain) {
 /// Those that metrics and rewards use without being declared.
 void AddUsualFunctions(Domain* domain) {
   for (const char* name : {"total-cost", "reward"}) {
-    const bool is_there = std::ranges::find(domain->functions, name,
-                                            &Symbol::name) !=
-                          domain->functions.end();
+    const bool is_there =
+        std::ranges::find(domain->functions, name, &Symbol::name) !=
+        domain->functions.end();
     if (!is_there) domain->functions.push_back({name, {}});
   }
 }
@@ -162,7 +160,7 @@ Domain ParseDomain(std::string_view text, const std::string& file) {
   const Expression& define = FindDefine(expressions, "domain", file);
   Domain domain;
   domain.name = ReadName(define.items[1].items[1], "domain");
-  CheckSections(define, kSections);
+  CheckSections(define, kDomainSections);
   // Sections may stand in any order.
   const auto parse = [&](const char* name, auto reader) {
     const Expression* section = FindSection(define, name);

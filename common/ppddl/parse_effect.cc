@@ -8,7 +8,6 @@
 namespace cell::ppddl {
 namespace {
 
-constexpr double kMaxNumber = 1e15;
 constexpr double kSumTolerance = 1e-9;
 
 Effect ParseChange(const Expression& expression, const Scope& scope,

@@ -18,10 +18,10 @@ const std::vector<std::string> kSupported = {
     ":fluents", ":numeric-fluents"};
 
 const std::vector<std::string> kUnsupported = {
-    ":durative-actions", ":duration-inequalities", ":continuous-effects",
+    ":durative-actions",   ":duration-inequalities",  ":continuous-effects",
     ":derived-predicates", ":timed-initial-literals", ":preferences",
-    ":constraints", ":object-fluents", ":time", ":goal-utilities",
-    ":non-deterministic", ":partial-observability"};
+    ":constraints",        ":object-fluents",         ":time",
+    ":goal-utilities",     ":non-deterministic",      ":partial-observability"};
 
 bool Has(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();

@@ -9,9 +9,7 @@
 namespace cell::ppddl {
 namespace {
 
-constexpr double kMaxNumber = 1e15;
-
-const std::vector<std::string> kSections = {
+const std::vector<std::string> kProblemSections = {
     ":domain", ":requirements", ":objects", ":init",
     ":goal",   ":goal-reward",  ":metric",  ":length"};
 
@@ -36,7 +34,7 @@ FunctionValue ParseValue(const Expression& item, const Scope& scope) {
   return value;
 }
 
-GroundAtom ParseAtom(const Expression& item, const Scope& scope) {
+GroundAtom ParseGroundAtom(const Expression& item, const Scope& scope) {
   GroundAtom atom;
   atom.predicate = scope.PredicateOf(item.items.front());
   const Symbol& predicate =
@@ -60,10 +58,10 @@ void ParseInit(const Expression& section, const Scope& scope,
     } else if (item.BeginsWith("not")) {
       // What is not listed is false.
       Expect(item, "not", 1, "(not (atom))");
-      const GroundAtom atom = ParseAtom(item.items[1], scope);
+      const GroundAtom atom = ParseGroundAtom(item.items[1], scope);
       if (known.contains(atom)) item.Fail("the atom is listed as true, too");
     } else {
-      GroundAtom atom = ParseAtom(item, scope);
+      GroundAtom atom = ParseGroundAtom(item, scope);
       if (known.insert(atom).second) problem->init.push_back(std::move(atom));
     }
   }
@@ -161,7 +159,7 @@ Problem ParseProblem(std::string_view text, const std::string& file,
                      const Domain& domain) {
   const std::vector<Expression> expressions = ReadExpressions(text, file);
   const Expression& define = FindDefine(expressions, "problem", file);
-  CheckSections(define, kSections);
+  CheckSections(define, kProblemSections);
   return ProblemParser(define, domain).Parse();
 }
 

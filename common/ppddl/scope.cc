@@ -96,11 +96,11 @@ Term Scope::TermOf(const Expression& name) const {
     for (size_t i = 0; i < variables_.size(); ++i) {
       if (variables_[i].name == name.word) return {true, static_cast<int>(i)};
     }
-    name.Fail("there is no variable '" + name.word + "'" +
-              (variables_.empty() ? " here; only objects are allowed"
-                                  : NamesInstead(name.word,
-                                                 NamesIn(variables_,
-                                                         &Variable::name))));
+    name.Fail(
+        "there is no variable '" + name.word + "'" +
+        (variables_.empty()
+             ? " here; only objects are allowed"
+             : NamesInstead(name.word, NamesIn(variables_, &Variable::name))));
   }
   return {false, Find(name, "object", object_of_)};
 }
@@ -198,12 +198,10 @@ double ReadNumber(const Expression& word, double low, double high) {
   if (word.is_list) word.Fail("a list stands where a number should");
   const Result<double> number = ParseNumber(word.word);
   if (!number) {
-    word.Fail("'" + word.word + "' " + number.reason() +
-              "; write 0.25 or 1/4");
+    word.Fail("'" + word.word + "' " + number.reason() + "; write 0.25 or 1/4");
   }
   if (!(low <= *number && *number <= high)) {
-    word.Fail(
-        fmt::format("{} is not between {} and {}", word.word, low, high));
+    word.Fail(fmt::format("{} is not between {} and {}", word.word, low, high));
   }
   return *number;
 }

@@ -66,6 +66,8 @@ void Expect(const Expression& list, const std::string& word, int num_items,
             const std::string& form);
 /// A name: no list, no variable, no number, no keyword.
 const std::string& ReadName(const Expression& name, const std::string& what);
+/// Of rewards and function values.
+inline constexpr double kMaxNumber = 1e15;
 /// "0.25" or "1/4". @throws PpddlError unless it is finite and in [low, high]
 double ReadNumber(const Expression& word, double low, double high);
 

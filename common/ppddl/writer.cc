@@ -35,8 +35,7 @@ class FormulaWriter {
     using enum Condition::Kind;
     switch (condition.kind) {
       case kAtom:
-        return Symbol(domain_.predicates, condition.predicate,
-                      condition.terms);
+        return Symbol(domain_.predicates, condition.predicate, condition.terms);
       case kEqual:
         return "(=" + Terms(condition.terms) + ")";
       case kNot:
@@ -84,8 +83,8 @@ class FormulaWriter {
     std::string text;
     for (const Term& term : terms) {
       const auto index = static_cast<size_t>(term.index);
-      text += " " + (term.is_variable ? variables_[index].name
-                                      : objects_[index]);
+      text +=
+          " " + (term.is_variable ? variables_[index].name : objects_[index]);
     }
     return text;
   }
@@ -140,8 +139,7 @@ class FormulaWriter {
 std::string Symbols(const std::vector<Symbol>& symbols, const Domain& domain) {
   std::string text;
   for (const Symbol& symbol : symbols) {
-    text += " (" + symbol.name +
-            (symbol.parameters.empty() ? "" : " ") +
+    text += " (" + symbol.name + (symbol.parameters.empty() ? "" : " ") +
             TypedList(symbol.parameters, domain) + ")";
   }
   return text;
@@ -179,9 +177,8 @@ std::string Names(const std::vector<int>& objects, const Domain& domain,
   for (const int object : objects) {
     const auto index = static_cast<size_t>(object);
     text += (text.empty() ? "" : separator) +
-            (index < num_constants
-                 ? domain.constants[index]
-                 : problem.objects[index - num_constants])
+            (index < num_constants ? domain.constants[index]
+                                   : problem.objects[index - num_constants])
                 .name;
   }
   return text;
@@ -195,16 +192,16 @@ std::string Init(const Problem& problem, const Domain& domain) {
   };
   std::string text = "  (:init";
   for (const GroundAtom& atom : problem.init) {
-    text += "\n    " +
-            write(domain.predicates[static_cast<size_t>(atom.predicate)],
-                  atom.objects);
+    text +=
+        "\n    " + write(domain.predicates[static_cast<size_t>(atom.predicate)],
+                         atom.objects);
   }
   for (const FunctionValue& value : problem.values) {
-    text += fmt::format(
-        "\n    (= {} {})",
-        write(domain.functions[static_cast<size_t>(value.function)],
-              value.objects),
-        value.value);
+    text +=
+        fmt::format("\n    (= {} {})",
+                    write(domain.functions[static_cast<size_t>(value.function)],
+                          value.objects),
+                    value.value);
   }
   return text + ")\n";
 }

@@ -69,9 +69,8 @@ std::optional<GroundAct> RexD::LeastTried(const WorldState& state) {
 
 std::optional<GroundAct> RexD::Plan(const WorldState& state) {
   std::vector<GroundAct> acts = KnownActs();
-  std::erase_if(acts, [&](const GroundAct& act) {
-    return IsDangerous(act, state);
-  });
+  std::erase_if(acts,
+                [&](const GroundAct& act) { return IsDangerous(act, state); });
   const auto model =
       std::make_shared<RuleModel>(rules_, task_, std::move(acts));
   planning::Planner::Params params;

@@ -84,8 +84,8 @@ class RexD {
   std::set<int> actions_;    // that were seen
   rules::RandomNumbers random_;
   std::optional<rules::Experience> last_;
-  int num_failures_ = 0;      // of the last action, in a row
-  double p_at_first_ = 0;     // that it would change anything, at the first
+  int num_failures_ = 0;   // of the last action, in a row
+  double p_at_first_ = 0;  // that it would change anything, at the first
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
   std::set<Effect> harmless_;

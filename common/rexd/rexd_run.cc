@@ -51,8 +51,8 @@ class RexdRun {
       experience.after = teacher_.Act(*act, *state);
       ++counts->num_demonstrations;
     } else {
-      experience.after = Simulate(world_rules_, *task_.world, decision.act,
-                                  *state, &random_);
+      experience.after =
+          Simulate(world_rules_, *task_.world, decision.act, *state, &random_);
       counts->num_explorations += decision.kind == Decision::Kind::kExplore;
     }
     ++counts->num_actions;

@@ -95,8 +95,7 @@ RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
   task.world = std::make_shared<World>(task.truth.symbols,
                                        ReadObjects(sections["objects"]));
   const TextLine& start = sections["start"];
-  task.initial =
-      ParseState(start.text, file, start.place.line, *task.world);
+  task.initial = ParseState(start.text, file, start.place.line, *task.world);
   std::ranges::fill(task.initial.is_present, 1);
   task.world->Derive(&task.initial);
   task.goal =

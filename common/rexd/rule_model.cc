@@ -87,8 +87,7 @@ void RuleModel::FindRelevant() {
     if (world.symbols()[symbol].is_integer) continue;
     for (int i = 0; i < world.num_places(symbol); ++i) {
       const int place = world.first(symbol) + i;
-      relevant_[static_cast<size_t>(place) / 64] |= uint64_t{1}
-                                                    << (place % 64);
+      relevant_[static_cast<size_t>(place) / 64] |= uint64_t{1} << (place % 64);
     }
   }
 }
@@ -100,10 +99,9 @@ bool RuleModel::MayEverHold(const Literal& literal,
         return term.kind != Term::Kind::kVariable ||
                term.index < static_cast<int>(act.arguments.size());
       });
-  const bool may_change =
-      literal.symbol != Literal::kSame &&
-      (changing_.contains(literal.symbol) ||
-       task_.world->symbols()[literal.symbol].is_derived());
+  const bool may_change = literal.symbol != Literal::kSame &&
+                          (changing_.contains(literal.symbol) ||
+                           task_.world->symbols()[literal.symbol].is_derived());
   return !is_over_arguments || may_change ||
          Holds(literal, act.arguments, task_.initial, *task_.world);
 }
@@ -125,8 +123,8 @@ void RuleModel::AddAchievable(const Rule& rule, const GroundAct& act) {
     int num_changes = 0;
     for (const Literal& change : outcome.changes) {
       if (world.symbols()[change.symbol].is_integer) continue;
-      num_changes += std::ranges::count(task_.goal, change.symbol,
-                                        &Literal::symbol) > 0;
+      num_changes +=
+          std::ranges::count(task_.goal, change.symbol, &Literal::symbol) > 0;
       std::vector<int> places = {0};
       for (const Term& term : change.terms) {
         const std::vector<int> objects = ObjectsOf(term, act);

@@ -88,8 +88,7 @@ std::optional<GroundAct> PlanningTeacher::Choose(const WorldState& state,
       random_.Below(static_cast<int>(acts.size())))];
 }
 
-WorldState PlanningTeacher::Act(const GroundAct& act,
-                                const WorldState& state) {
+WorldState PlanningTeacher::Act(const GroundAct& act, const WorldState& state) {
   if (params_.is_sure) return Intended(act, state);
   return Simulate(robot_, *task_.world, act, state, &random_);
 }

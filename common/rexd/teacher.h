@@ -27,8 +27,8 @@ class Teacher {
 
   /// An action that leads towards the goal; nullopt if there is none: a dead
   /// end.
-  virtual std::optional<rules::GroundAct> Choose(
-      const rules::WorldState& state, const Question& question) = 0;
+  virtual std::optional<rules::GroundAct> Choose(const rules::WorldState& state,
+                                                 const Question& question) = 0;
   /// What happens when the teacher does it.
   virtual rules::WorldState Act(const rules::GroundAct& act,
                                 const rules::WorldState& state) = 0;

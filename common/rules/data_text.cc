@@ -21,9 +21,9 @@ DataAtom ReadDataAtom(const SymbolTable& symbols, TokenReader& in) {
   const std::string name = in.Word("a predicate, function or action");
   const auto found = symbols.Find(name);
   if (!found) {
-    in.Fail(fmt::format("there is no symbol '{}'{}", name,
-                        NamesInstead(name, NamesIn(symbols.all(),
-                                                   &Symbol::name))));
+    in.Fail(
+        fmt::format("there is no symbol '{}'{}", name,
+                    NamesInstead(name, NamesIn(symbols.all(), &Symbol::name))));
   }
   atom.symbol = *found;
   const Symbol& symbol = symbols[*found];
@@ -31,9 +31,10 @@ DataAtom ReadDataAtom(const SymbolTable& symbols, TokenReader& in) {
   while (!in.TakeIf(")")) {
     atom.objects.push_back(in.Word("an object or ')'"));
     if (IsVariableName(atom.objects.back())) {
-      in.Fail(fmt::format("'{}' should begin with a small letter or a digit: "
-                          "capital letters begin variables",
-                          atom.objects.back()));
+      in.Fail(
+          fmt::format("'{}' should begin with a small letter or a digit: "
+                      "capital letters begin variables",
+                      atom.objects.back()));
     }
     in.TakeIf(",");
   }
@@ -135,8 +136,7 @@ void AppendAtoms(const WorldState& state, const World& world, int symbol,
   for (int i = 0; i < world.num_places(symbol); ++i) {
     const int place = world.first(symbol) + i;
     const bool is_integer = world.symbols()[symbol].is_integer;
-    const int value =
-        is_integer ? state.values[static_cast<size_t>(place)] : 0;
+    const int value = is_integer ? state.values[static_cast<size_t>(place)] : 0;
     if (is_integer ? value == World::kNoValue : !World::Get(state, place)) {
       continue;
     }
@@ -163,8 +163,7 @@ ExperienceSet ParseExperiences(const std::string& text, const std::string& file,
     lines.push_back(ReadDataLine(line, *symbols));
   }
   ExperienceSet set;
-  set.world =
-      std::make_shared<World>(std::move(symbols), ObjectNames(lines));
+  set.world = std::make_shared<World>(std::move(symbols), ObjectNames(lines));
   std::optional<WorldState> before;
   std::optional<GroundAct> act;
   for (const DataLine& line : lines) {

@@ -21,8 +21,7 @@ std::string Lower(std::string text) {
 std::string NameOf(const std::string& name) {
   std::string text = name;
   std::ranges::replace(text, '.', '-');
-  return std::isalpha(static_cast<unsigned char>(text[0])) ? text
-                                                           : "o-" + text;
+  return std::isalpha(static_cast<unsigned char>(text[0])) ? text : "o-" + text;
 }
 
 std::string VariableOf(const std::string& name) {
@@ -79,8 +78,8 @@ class PpddlText {
       }
       text += " (" + NameOf(symbol.name);
       for (int i = 0; i < symbol.arity; ++i) {
-        text += " " + VariableOf(symbol.definition.variables[
-                          static_cast<size_t>(i)]);
+        text += " " +
+                VariableOf(symbol.definition.variables[static_cast<size_t>(i)]);
       }
       text += ")";
     }

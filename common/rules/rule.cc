@@ -70,8 +70,8 @@ std::optional<int> UniqueObject(const Reference& reference,
   for (int object = 0; object < world.num_objects(); ++object) {
     if (!state.is_present[static_cast<size_t>(object)]) continue;
     binding.back() = object;
-    const bool is_it = std::ranges::all_of(
-        reference.literals, [&](const Literal& literal) {
+    const bool is_it =
+        std::ranges::all_of(reference.literals, [&](const Literal& literal) {
           return Holds(literal, binding, state, world);
         });
     if (!is_it) continue;
@@ -154,8 +154,8 @@ bool Holds(const Literal& literal, std::span<const int> binding,
   }
   if (world.symbols()[literal.symbol].is_integer) {
     const int place = PlaceOfLiteral(literal, binding, world);
-    return Compare(literal.comparison,
-                   state.values[static_cast<size_t>(place)], literal.value);
+    return Compare(literal.comparison, state.values[static_cast<size_t>(place)],
+                   literal.value);
   }
   return IsSomeTrue(literal, binding, state, world, 0, 0) ==
          (literal.comparison == Comparison::kTrue);
@@ -207,8 +207,7 @@ WorldState Apply(const Outcome& outcome, std::span<const int> binding,
   return after;
 }
 
-std::vector<GroundAct> GroundActs(const World& world,
-                                  const WorldState& state) {
+std::vector<GroundAct> GroundActs(const World& world, const WorldState& state) {
   std::vector<GroundAct> acts;
   for (const int action : world.symbols().Actions()) {
     GroundAct act{action, {}};

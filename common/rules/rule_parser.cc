@@ -197,8 +197,7 @@ class RuleParser {
 
   void ReadComparison(bool is_negated, Literal* literal, TokenReader& in) {
     const Symbol& symbol = symbols()[literal->symbol];
-    literal->comparison =
-        is_negated ? Comparison::kFalse : Comparison::kTrue;
+    literal->comparison = is_negated ? Comparison::kFalse : Comparison::kTrue;
     if (!symbol.is_integer) return;
     if (is_negated) in.Fail("a comparison has no 'not'");
     const std::pair<const char*, Comparison> signs[] = {
@@ -212,9 +211,10 @@ class RuleParser {
       literal->value = in.Integer("a whole number");
       return;
     }
-    in.Fail(fmt::format("'{}' is a function: expected =, !=, <= or >= and a "
-                        "number",
-                        symbol.name));
+    in.Fail(
+        fmt::format("'{}' is a function: expected =, !=, <= or >= and a "
+                    "number",
+                    symbol.name));
   }
 
   void Check(const Literal& literal, ListKind kind, const TokenReader& in) {
@@ -231,8 +231,8 @@ class RuleParser {
     }
     if (kind == ListKind::kConditions) return;
     if (symbol.is_derived()) {
-      in.Fail(fmt::format("'{}' is derived: no effect can change it",
-                          symbol.name));
+      in.Fail(
+          fmt::format("'{}' is derived: no effect can change it", symbol.name));
     }
     if (symbol.is_integer && literal.comparison != Comparison::kEqual) {
       in.Fail("an effect gives a function a value: f(X) = 1");
@@ -262,8 +262,8 @@ class RuleParser {
   std::string NewVariable(TokenReader& in) {
     const std::string name = in.Word("a variable");
     if (!IsVariableName(name)) {
-      in.Fail(fmt::format("'{}' is no variable: capital letters begin them",
-                          name));
+      in.Fail(
+          fmt::format("'{}' is no variable: capital letters begin them", name));
     }
     for (int i = 0; i < rule_->num_variables(); ++i) {
       if (rule_->VariableName(i) == name) {
@@ -299,9 +299,8 @@ class RuleParser {
 
 NdrRules ParseRules(const std::string& text, const std::string& file) {
   const std::vector<TextLine> lines = SplitLines(text, file);
-  const auto first_rule = std::ranges::find_if(lines, [](const TextLine& l) {
-    return l.text.starts_with("Action:");
-  });
+  const auto first_rule = std::ranges::find_if(
+      lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
   std::string declarations;
   for (auto it = lines.begin(); it != first_rule; ++it) {
     declarations += it->text + "\n";

@@ -58,8 +58,7 @@ std::string ToText(const Literal& literal, const Rule& rule,
                        TermText(literal.terms[1], rule, symbols));
   }
   const Symbol& symbol = symbols[literal.symbol];
-  std::string text =
-      literal.comparison == Comparison::kFalse ? "not " : "";
+  std::string text = literal.comparison == Comparison::kFalse ? "not " : "";
   text += symbol.name + "(";
   for (size_t i = 0; i < literal.terms.size(); ++i) {
     text += (i > 0 ? ", " : "") + TermText(literal.terms[i], rule, symbols);
@@ -91,8 +90,8 @@ std::string ToText(const Rule& rule, const SymbolTable& symbols,
                         ProbabilityText(outcome.probability, num_digits),
                         ListText(outcome.changes, rule, symbols, "nothing"));
   }
-  return text + fmt::format("  {}: noise\n",
-                            ProbabilityText(rule.noise, num_digits));
+  return text +
+         fmt::format("  {}: noise\n", ProbabilityText(rule.noise, num_digits));
 }
 
 std::string ToText(const NdrRules& rules) {

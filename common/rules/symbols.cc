@@ -98,8 +98,8 @@ class SymbolParser {
       return;
     }
     if (symbol.kind == Symbol::Kind::kPrimitive) {
-      in.Fail(fmt::format("'{}' is primitive: it has no definition",
-                          symbol.name));
+      in.Fail(
+          fmt::format("'{}' is primitive: it has no definition", symbol.name));
     }
     in.Expect("<--");
     switch (symbol.kind) {

@@ -88,16 +88,16 @@ bool TokenReader::TakeIf(std::string_view token) {
 
 void TokenReader::Expect(std::string_view token) {
   if (TakeIf(token)) return;
-  Fail(fmt::format("expected '{}', not {}", token,
-                   AtEnd() ? "the end of the line"
-                           : "'" + Printable(Peek()) + "'"));
+  Fail(fmt::format(
+      "expected '{}', not {}", token,
+      AtEnd() ? "the end of the line" : "'" + Printable(Peek()) + "'"));
 }
 
 std::string TokenReader::Word(std::string_view what) {
   if (IsWord(Peek())) return Take();
-  Fail(fmt::format("expected {}, not {}", what,
-                   AtEnd() ? "the end of the line"
-                           : "'" + Printable(Peek()) + "'"));
+  Fail(fmt::format(
+      "expected {}, not {}", what,
+      AtEnd() ? "the end of the line" : "'" + Printable(Peek()) + "'"));
 }
 
 int TokenReader::Integer(std::string_view what) {

@@ -29,3 +29,11 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
+add_executable(planning_bench bench/planning_bench.cc)
+target_include_directories(planning_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(planning_bench PRIVATE cell_planning benchmark::benchmark
+  cell_warnings)
+add_executable(rules_bench bench/rules_bench.cc)
+target_include_directories(rules_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(rules_bench PRIVATE cell_rules benchmark::benchmark
+  cell_warnings)

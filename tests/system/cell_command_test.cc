@@ -210,11 +210,33 @@ TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
 }
 
 TEST_F(CellCommand, EveryCommandShowsAnExample) {
-  for (const char* command :
-       {"",      "demo",       "sim",           "replay",         "diff",
-        "eval",  "eval watch", "eval assembly", "eval insertion", "check",
-        "chain", "view",       "episode",       "hold",           "resume",
-        "goal",  "list",       "top",           "record",         "spy"}) {
+  for (const char* command : {"",
+                              "demo",
+                              "sim",
+                              "replay",
+                              "diff",
+                              "eval",
+                              "eval watch",
+                              "eval assembly",
+                              "eval insertion",
+                              "check",
+                              "chain",
+                              "view",
+                              "episode",
+                              "hold",
+                              "resume",
+                              "goal",
+                              "list",
+                              "top",
+                              "record",
+                              "spy",
+                              "plan",
+                              "rules",
+                              "rules learn",
+                              "rules show",
+                              "rules export",
+                              "eval rules",
+                              "eval rexd"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

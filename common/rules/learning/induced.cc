@@ -170,8 +170,7 @@ int ChangeLifter::LiftOne(const std::vector<int>& references, int e) {
     Feature feature;
     feature.symbol = change.symbol;
     feature.value = change.value;
-    const bool is_integer =
-        table_->world().symbols()[change.symbol].is_integer;
+    const bool is_integer = table_->world().symbols()[change.symbol].is_integer;
     feature.comparison = is_integer       ? Comparison::kEqual
                          : change.is_true ? Comparison::kTrue
                                           : Comparison::kFalse;
@@ -206,8 +205,8 @@ Induced InduceOutcomes(const std::vector<int>& references,
   covered.ForEach([&](int e) {
     const int number = numbers[static_cast<size_t>(e)];
     if (number < 0) return;
-    const auto it = std::ranges::find(counts, number,
-                                      &std::pair<int, int>::second);
+    const auto it =
+        std::ranges::find(counts, number, &std::pair<int, int>::second);
     if (it == counts.end()) {
       counts.emplace_back(-1, number);
     } else {

@@ -29,9 +29,8 @@ Literal ToLiteral(const Feature& feature, const SearchRule& rule,
     } else if (term < 0) {
       literal.terms.push_back({Term::Kind::kObject, Feature::ObjectOf(term)});
     } else {
-      literal.terms.push_back(
-          {Term::Kind::kVariable,
-           VariableOf(term, rule, table.num_arguments())});
+      literal.terms.push_back({Term::Kind::kVariable,
+                               VariableOf(term, rule, table.num_arguments())});
     }
   }
   return literal;
@@ -57,14 +56,14 @@ Rule ToRule(const SearchRule& from, const FeatureTable& table) {
   rule.action = table.action();
   const auto num_arguments = static_cast<size_t>(table.num_arguments());
   const auto names = VariableNames(num_arguments + from.references.size());
-  rule.arguments.assign(names.begin(),
-                        names.begin() +
-                            static_cast<std::ptrdiff_t>(num_arguments));
+  rule.arguments.assign(
+      names.begin(),
+      names.begin() + static_cast<std::ptrdiff_t>(num_arguments));
   for (size_t i = 0; i < from.references.size(); ++i) {
     Reference reference{names[num_arguments + i], {}};
     for (const Feature& feature : table.definition(from.references[i])) {
-      reference.literals.push_back(ToLiteral(
-          feature, from, table, static_cast<int>(num_arguments + i)));
+      reference.literals.push_back(
+          ToLiteral(feature, from, table, static_cast<int>(num_arguments + i)));
     }
     rule.references.push_back(std::move(reference));
   }
@@ -96,8 +95,8 @@ void Learner::Add(const Experience& experience) {
   }
   auto& search = searches_[experience.act.action];
   if (!search) {
-    search = std::make_unique<RuleSearch>(world_, experience.act.action,
-                                          options_);
+    search =
+        std::make_unique<RuleSearch>(world_, experience.act.action, options_);
   }
   search->Add(experience);
   is_new_[experience.act.action] = true;
@@ -119,11 +118,10 @@ Learner::SortedRules() const {
     for (const SearchRule& rule : search->rules()) {
       all.emplace_back(search.get(), &rule);
     }
-    std::stable_sort(all.begin() + first, all.end(),
-                     [](const auto& a, const auto& b) {
-                       return a.second->covers.Count() >
-                              b.second->covers.Count();
-                     });
+    std::stable_sort(
+        all.begin() + first, all.end(), [](const auto& a, const auto& b) {
+          return a.second->covers.Count() > b.second->covers.Count();
+        });
   }
   return all;
 }

@@ -53,8 +53,9 @@ class Learner {
 Rule ToRule(const SearchRule& rule, const FeatureTable& table);
 
 /// Log likelihood of an experience by rules that may not have been learned from
-/// it: with probability `surprise` anything happens (p_min), else what the rules
-/// say. Where none or several cover it, nothing changes in half of the cases.
+/// it: with probability `surprise` anything happens (p_min), else what the
+/// rules say. Where none or several cover it, nothing changes in half of the
+/// cases.
 double LogLikelihood(const NdrRules& rules, const World& world,
                      const Experience& experience,
                      const LearnerOptions& options, double surprise = 0.01);

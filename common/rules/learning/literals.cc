@@ -89,8 +89,8 @@ const std::vector<int>& RuleSearch::Literals(
   if (options_.is_quantified) terms.push_back(Feature::kAny);
   AddPredicates(table_.world(), terms, &features);
   std::ranges::stable_sort(features, std::less(), [](const Feature& f) {
-    return std::ranges::count_if(
-        f.terms, [](int32_t t) { return t == Feature::kAny; });
+    return std::ranges::count_if(f.terms,
+                                 [](int32_t t) { return t == Feature::kAny; });
   });
   for (const Feature& f : features) numbers.push_back(table_.Number(f));
   return numbers;

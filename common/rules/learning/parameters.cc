@@ -34,8 +34,8 @@ void Count(const BitSet& covered, double p_min, Induced* induced) {
   double sum = rest > 0 ? rest * std::log(unexplained) : 0;
   for (const InducedOutcome& outcome : induced->outcomes) {
     if (outcome.probability <= 0) continue;
-    sum += outcome.probability * n *
-           std::log(outcome.probability + unexplained);
+    sum +=
+        outcome.probability * n * std::log(outcome.probability + unexplained);
   }
   induced->log_likelihood = sum;
 }
@@ -96,9 +96,9 @@ void Reestimate(const std::vector<Pattern>& patterns, double n, double p_min,
 void Maximise(const BitSet& covered, double p_min, Induced* induced) {
   constexpr int kMaxSteps = 500;
   constexpr double kPrecision = 1e-9;
-  const std::vector<Pattern> patterns =
-      PatternsOf(covered, induced->outcomes);
-  const double share = 1.0 / (static_cast<double>(induced->outcomes.size()) + 1);
+  const std::vector<Pattern> patterns = PatternsOf(covered, induced->outcomes);
+  const double share =
+      1.0 / (static_cast<double>(induced->outcomes.size()) + 1);
   for (InducedOutcome& outcome : induced->outcomes) outcome.probability = share;
   induced->noise = share;
   double last = LogLikelihoodOf(patterns, p_min, *induced);

@@ -30,9 +30,7 @@ size_t RuleSearch::KeyHash::operator()(
 
 RuleSearch::RuleSearch(std::shared_ptr<const World> world, int action,
                        const LearnerOptions& options)
-    : options_(options),
-      table_(std::move(world), action),
-      lifter_(&table_) {}
+    : options_(options), table_(std::move(world), action), lifter_(&table_) {}
 
 void RuleSearch::Add(const Experience& experience) {
   table_.Add(experience);
@@ -141,8 +139,7 @@ double RuleSearch::DefaultScore(const BitSet& rest) const {
   const double same = rest.CountWith(table_.unchanged());
   double score = same > 0 ? same * std::log(same / n) : 0;
   if (n > same) {
-    score +=
-        (n - same) * std::log((n - same) / n * options_.p_min_default);
+    score += (n - same) * std::log((n - same) / n * options_.p_min_default);
   }
   return score;
 }

@@ -51,9 +51,8 @@ int EvalRules(const EvalRulesOptions& options) {
     learner.Learn();
     const double seconds = progress.ElapsedSeconds() - start;
     const double log_p =
-        size > 1
-            ? rules::HeldOutLogLikelihood(set, learner_options, num_folds)
-            : 0;
+        size > 1 ? rules::HeldOutLogLikelihood(set, learner_options, num_folds)
+                 : 0;
     const rules::NdrRules rules = learner.Rules();
     progress.Clear();
     std::cout << fmt::format("{:>6} {:>10.3f} {:>6} {:>9} {:>9.3f} {:>20.3f}\n",
@@ -77,7 +76,8 @@ void AddEvalRules(CLI::App& eval, Action* action) {
   auto options = std::make_shared<EvalRulesOptions>();
   CLI::App* command = eval.add_subcommand(
       "rules",
-      "Learn rules from experiences with several seeds: the score, eq. (1), and "
+      "Learn rules from experiences with several seeds: the score, eq. (1), "
+      "and "
       "the log likelihood of experiences that were held out.\n"
       "Example: cell eval rules experiences --seeds 21");
   command->add_option("data", options->data, "folder, or file of experiences")

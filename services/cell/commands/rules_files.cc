@@ -26,13 +26,14 @@ rules::ExperienceSet LoadExperiences(const fs::path& data,
   const fs::path file = fs::is_directory(data) ? data / "data.dat" : data;
   const fs::path declarations =
       symbols.empty() ? file.parent_path() / "symbols.dat" : symbols;
-  auto table = std::make_shared<const rules::SymbolTable>(
-      rules::SymbolTable::Parse(TextOfFile(declarations),
-                                declarations.string()));
+  auto table =
+      std::make_shared<const rules::SymbolTable>(rules::SymbolTable::Parse(
+          TextOfFile(declarations), declarations.string()));
   rules::ExperienceSet set = rules::ParseExperiences(
       TextOfFile(file), file.string(), std::move(table));
   if (set.experiences.empty()) {
-    throw std::runtime_error(file.string() + ": holds no experience: a state, "
+    throw std::runtime_error(file.string() +
+                             ": holds no experience: a state, "
                              "an action, and the state after it");
   }
   return set;

@@ -52,7 +52,8 @@ TEST(Data, ConsistsOfStatesAndActionsInTurn) {
                                             "grab(c)\n"
                                             "on(c b)\n");
   ASSERT_EQ(set.experiences.size(), 3u);
-  EXPECT_EQ(ToText(set.experiences[0].before, *set.world), "on(a, b) size(a)=3");
+  EXPECT_EQ(ToText(set.experiences[0].before, *set.world),
+            "on(a, b) size(a)=3");
   EXPECT_EQ(set.world->Show(set.experiences[1].act.action,
                             set.experiences[1].act.arguments),
             "grab(b)");
@@ -72,7 +73,8 @@ TEST(Data, DerivedSymbolsFollowTheirDefinitions) {
   const WorldState state =
       ParseState("table(t) on(a t) on(b a) on(c b)", "d", 1, world);
   const auto holds = [&](const char* name, std::vector<int> objects) {
-    return World::Get(state, world.PlaceOf(*world.symbols().Find(name), objects));
+    return World::Get(state,
+                      world.PlaceOf(*world.symbols().Find(name), objects));
   };
   const auto value = [&](const char* name, std::vector<int> objects) {
     return state.values[static_cast<size_t>(

@@ -67,7 +67,8 @@ struct Domain {
   WorldState initial;
 };
 
-Learner LearnFrom(const ExperienceSet& set, const LearnerOptions& options = {}) {
+Learner LearnFrom(const ExperienceSet& set,
+                  const LearnerOptions& options = {}) {
   Learner learner(set.world, options);
   for (const Experience& e : set.experiences) learner.Add(e);
   learner.Learn();

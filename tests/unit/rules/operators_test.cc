@@ -74,8 +74,8 @@ class SearchOperatorTest : public testing::Test {
     op(search_, [&](const Proposal& proposal) {
       std::string text = "-" + std::to_string(proposal.removed.size());
       for (const SearchRule& rule : proposal.added) {
-        text += "\n" + ToText(ToRule(rule, search_.table()),
-                              set_.world->symbols());
+        text +=
+            "\n" + ToText(ToRule(rule, search_.table()), set_.world->symbols());
       }
       texts.push_back(text);
     });

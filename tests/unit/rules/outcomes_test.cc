@@ -78,18 +78,18 @@ TEST(InduceOutcomes, HasOneOutcomeForEachDistinctChange) {
 
 TEST(InduceOutcomes, OneOutcomeExplainsChangesThatWereThereBefore) {
   // {lit, warm} explains {lit} where it was warm already.
-  const Induced induced =
-      InduceFrom("room(a)\npress(a)\nlit(a) warm(a) room(a)\n"
-                 "warm(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n");
+  const Induced induced = InduceFrom(
+      "room(a)\npress(a)\nlit(a) warm(a) room(a)\n"
+      "warm(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n");
   ASSERT_EQ(induced.outcomes.size(), 1u);
   EXPECT_EQ(induced.outcomes[0].changes.size(), 2u);
   EXPECT_DOUBLE_EQ(induced.outcomes[0].probability, 1);
 }
 
 TEST(InduceOutcomes, ConjoinsTwoThatExplainEachOthersExperiences) {
-  const Induced induced =
-      InduceFrom("lit(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n"
-                 "warm(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n");
+  const Induced induced = InduceFrom(
+      "lit(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n"
+      "warm(a) room(a)\npress(a)\nlit(a) warm(a) room(a)\n");
   ASSERT_EQ(induced.outcomes.size(), 1u);
   EXPECT_EQ(induced.outcomes[0].changes.size(), 2u);
 }
@@ -105,8 +105,8 @@ TEST(InduceOutcomes, LeavesToNoiseWhatCostsMoreThanItExplains) {
   LearnerOptions options;
   options.p_min = 0.5;
   options.alpha = 10;
-  const Induced induced = InduceFrom(std::string(kStays) + kStays + kLights,
-                                     options);
+  const Induced induced =
+      InduceFrom(std::string(kStays) + kStays + kLights, options);
   ASSERT_EQ(induced.outcomes.size(), 1u);
   EXPECT_TRUE(induced.outcomes[0].changes.empty());
 }

@@ -65,8 +65,7 @@ TEST(PpddlExport, SaysWhatPpddlHasNoWordsFor) {
       "r");
   EXPECT_THAT(ToPpddl(counts, "d").reason(),
               HasSubstr("a rule asks for 'height', a count"));
-  const NdrRules names =
-      ParseRules("lift 1 action\nLift 1 primitive\n", "r");
+  const NdrRules names = ParseRules("lift 1 action\nLift 1 primitive\n", "r");
   EXPECT_THAT(ToPpddl(names, "d").reason(), HasSubstr("'Lift'"));
 }
 

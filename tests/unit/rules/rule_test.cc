@@ -74,8 +74,8 @@ TEST_F(RuleOfCups, AnOutcomeChangesWhatItSaysAndNoMore) {
   const WorldState before = StateOf("cup(a) on(a b) on(c b) weight(a)=1");
   const auto coverage = FindCoverage(rules_, Lift("a"), before, world_);
   ASSERT_TRUE(coverage.has_value());
-  const WorldState after = Apply(coverage->rule->outcomes[0],
-                                 coverage->binding, before, world_);
+  const WorldState after =
+      Apply(coverage->rule->outcomes[0], coverage->binding, before, world_);
   EXPECT_EQ(ToText(after, world_), "cup(a) on(c, b) held(a) weight(a)=1");
 }
 
@@ -102,9 +102,8 @@ TEST(Opposite, OfAComparisonHoldsWhereItDoesNot) {
   WorldState state = world.EmptyState();
   for (int value = -2; value <= 2; ++value) {
     state.values[0] = value;
-    for (const auto comparison :
-         {Comparison::kEqual, Comparison::kNotEqual, Comparison::kAtMost,
-          Comparison::kAtLeast}) {
+    for (const auto comparison : {Comparison::kEqual, Comparison::kNotEqual,
+                                  Comparison::kAtMost, Comparison::kAtLeast}) {
       Literal literal{0, {}, comparison, 0};
       Literal opposite = literal;
       opposite.comparison = Opposite(comparison, &opposite.value);

@@ -118,9 +118,8 @@ class Explanation {
     for (size_t i = 0; i + 1 < open.size(); ++i) {
       for (size_t j = i + 1; j < open.size(); ++j) rate({open[i], open[j]});
     }
-    std::ranges::stable_sort(rated, std::less(), [](const auto& entry) {
-      return entry.first;
-    });
+    std::ranges::stable_sort(rated, std::less(),
+                             [](const auto& entry) { return entry.first; });
     if (rated.size() > kMaxDefinitions) rated.resize(kMaxDefinitions);
     std::vector<int> terms;
     for (const auto& [value, definition] : rated) {
@@ -159,8 +158,7 @@ class Explanation {
   /// What the rule says of its experiences beyond what is said of them now.
   double GainOf(const SearchRule& rule) const {
     double gain = rule.score;
-    rule.covers.ForEach(
-        [&](int e) { gain -= logs_[static_cast<size_t>(e)]; });
+    rule.covers.ForEach([&](int e) { gain -= logs_[static_cast<size_t>(e)]; });
     return gain;
   }
 
@@ -227,8 +225,8 @@ void ExplainExamples(RuleSearch& search, const Propose& propose) {
   std::vector<int> examples;
   search.Unexplained().ForEach([&](int e) { examples.push_back(e); });
   std::ranges::stable_sort(examples, std::less(), [&](int e) {
-    return MixedNumber(search.options().seed ^ MixedNumber(
-                                                   static_cast<uint64_t>(e)));
+    return MixedNumber(search.options().seed ^
+                       MixedNumber(static_cast<uint64_t>(e)));
   });
   Explanation explanation(search, examples);
   const double score = search.score();

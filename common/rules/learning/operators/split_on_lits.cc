@@ -32,8 +32,7 @@ void SplitOnLits(RuleSearch& search, const Propose& propose) {
         if (covers.IsEmpty() || !tried.insert(covers.Hash()).second) continue;
         if (!tried.insert(others.Hash()).second) continue;
         const auto with = search.With(rule, number);
-        const auto without =
-            search.With(rule, table.Number(feature.Negated()));
+        const auto without = search.With(rule, table.Number(feature.Negated()));
         // The negation of a function that has no value does not hold either.
         if (with && without) propose({{i}, {*with, *without}});
       }
