@@ -79,15 +79,17 @@ const std::vector<int>& RuleSearch::Literals(
     const std::vector<int>& references) {
   auto& numbers = literals_[references];
   if (!numbers.empty()) return numbers;
-  std::vector<int32_t> terms = VariablesOf(table_, references);
-  std::vector<Feature> features;
-  AddFunctions(table_, terms, &features);
+  const std::vector<int32_t> variables = VariablesOf(table_, references);
+  std::vector<int32_t> terms = variables;
   for (int i = 0; i < table_.world().num_constants(); ++i) {
     terms.push_back(Feature::ObjectCode(i));
   }
+  std::vector<int32_t> quantified = terms;
+  if (options_.is_quantified) quantified.push_back(Feature::kAny);
+  std::vector<Feature> features;
+  AddPredicates(table_.world(), quantified, &features);
   AddSame(terms, &features);
-  if (options_.is_quantified) terms.push_back(Feature::kAny);
-  AddPredicates(table_.world(), terms, &features);
+  AddFunctions(table_, variables, &features);
   std::ranges::stable_sort(features, std::less(), [](const Feature& f) {
     return std::ranges::count_if(f.terms,
                                  [](int32_t t) { return t == Feature::kAny; });

@@ -15,8 +15,6 @@ namespace {
 // Without chance: a lever opens the box beside it, unless that is locked; a key
 // unlocks what it fits.
 constexpr char kBoxRules[] = R"(
-pull 1 action <-- lever(X)
-turn 1 action <-- key(X)
 lever 1 primitive
 key 1 primitive
 box 1 primitive
@@ -24,6 +22,8 @@ beside 2 primitive
 fits 2 primitive
 locked 1 primitive
 open 1 primitive
+pull 1 action <-- lever(X)
+turn 1 action <-- key(X)
 
 Action: pull(X)
 References: Y: beside(X, Y)

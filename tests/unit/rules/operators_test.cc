@@ -27,9 +27,9 @@ constexpr char kDoorData[] = R"(
 locked(a) near(a b) width(a)=1 width(b)=3
 push(a)
 locked(a) near(a b) width(a)=1 width(b)=3
-near(a b) near(c c) width(a)=2 width(b)=3
+near(a b) near(c c) width(a)=2 width(b)=2
 push(b)
-near(a b) near(c c) open(b) width(a)=2 width(b)=3
+near(a b) near(c c) open(b) width(a)=2 width(b)=2
 near(gate b) width(gate)=2 width(b)=3
 push(gate)
 near(gate b) open(gate) width(gate)=2 width(b)=3

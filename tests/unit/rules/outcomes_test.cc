@@ -103,7 +103,7 @@ TEST(InduceOutcomes, ChangesOfObjectsWithoutAVariableAreNoise) {
 
 TEST(InduceOutcomes, LeavesToNoiseWhatCostsMoreThanItExplains) {
   LearnerOptions options;
-  options.p_min = 0.5;
+  options.p_min = 0.05;
   options.alpha = 10;
   const Induced induced =
       InduceFrom(std::string(kStays) + kStays + kLights, options);

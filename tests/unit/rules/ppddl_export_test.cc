@@ -12,11 +12,11 @@ using testing::HasSubstr;
 TEST(PpddlExport, WritesReferencesQuantifiersAndDerivedPredicates) {
   const NdrRules rules = ParseRules(R"(
 shelf.top 0 constant
-lift 1 action <-- cup(X)
 cup 1 primitive
 on 2 primitive
 held 1 primitive
 weight 1 primitive integers
+lift 1 action <-- cup(X)
 clear 1 conjunction <-- All Y -on(Y X)
 above 2 transclosure <-- + on
 

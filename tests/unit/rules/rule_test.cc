@@ -12,11 +12,11 @@ using testing::ElementsAre;
 
 constexpr char kRulesOfCups[] = R"(
 shelf 0 constant
-lift 1 action <-- cup(X)
 cup 1 primitive
 on 2 primitive
 held 1 primitive
 weight 1 primitive integers
+lift 1 action <-- cup(X)
 
 Action: lift(X)
 References: Y: on(X, Y)
