@@ -92,14 +92,14 @@ MeanAndSd Summarise(const std::vector<double>& values) {
   return summary;
 }
 
-/// A count of each row: in one episode, or, for nullopt, in all together.
+/// A count of each row, summed over its episodes from `first` to `last`.
 std::vector<double> ValuesOf(const std::vector<json>& rows, const char* count,
-                             std::optional<size_t> episode) {
+                             int first, int last) {
   std::vector<double> values;
   for (const json& row : rows) {
     double sum = 0;
-    for (size_t i = 0; i < row.at(count).size(); ++i) {
-      if (!episode || i == *episode) sum += row.at(count)[i].get<double>();
+    for (int i = first; i <= last; ++i) {
+      sum += row.at(count).at(static_cast<size_t>(i)).get<double>();
     }
     values.push_back(sum);
   }
@@ -114,17 +114,17 @@ std::string Report(const EvalRexdOptions& options, double success,
                            rows.size(), options.teacher);
   for (int i = 0; i <= options.episodes; ++i) {
     const bool is_total = i == options.episodes;
-    const auto episode =
-        is_total ? std::nullopt : std::optional(static_cast<size_t>(i));
+    const int first = is_total ? 0 : i;
+    const int last = is_total ? options.episodes - 1 : i;
     const std::string name = is_total ? "all" : std::to_string(i + 1);
     std::string line = fmt::format("  episode {:>3}:", name);
     csv += fmt::format("{},{}", success, name);
     for (const char* count : kCounts) {
-      const MeanAndSd s = Summarise(ValuesOf(rows, count, episode));
+      const MeanAndSd s = Summarise(ValuesOf(rows, count, first, last));
       line += fmt::format("  {} {:.1f} (sd {:.1f})", count, s.mean, s.sd);
       csv += fmt::format(",{},{}", s.mean, s.sd);
     }
-    const MeanAndSd reached = Summarise(ValuesOf(rows, "reached", episode));
+    const MeanAndSd reached = Summarise(ValuesOf(rows, "reached", first, last));
     const double share = reached.mean / (is_total ? options.episodes : 1);
     std::cout << fmt::format("{}  goal reached {:.1f} %\n", line, 100 * share);
     csv += fmt::format(",{}\n", share);
@@ -137,7 +137,7 @@ std::string PlotOf(const EvalRexdOptions& options) {
   std::string text = fmt::format(
       "# gnuplot {0}.gp makes {0}.png\n"
       "set terminal pngcairo size 900,1100\nset output '{0}.png'\n"
-      "set datafile separator ','\nset multiplot layout 3,1\n"
+      "set datafile sep ','\nset multiplot layout 3,1\n"
       "set xrange [0.5:{1}.5]\nset xtics 1\nset key outside\n"
       "set xlabel 'episode'\n",
       options.csv_file, options.episodes);
