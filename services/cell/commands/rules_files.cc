@@ -24,13 +24,14 @@ std::string TextOfFile(const fs::path& path) {
 rules::ExperienceSet LoadExperiences(const fs::path& data,
                                      const fs::path& symbols) {
   const fs::path file = fs::is_directory(data) ? data / "data.dat" : data;
+  const std::string text = TextOfFile(file);
   const fs::path declarations =
       symbols.empty() ? file.parent_path() / "symbols.dat" : symbols;
   auto table =
       std::make_shared<const rules::SymbolTable>(rules::SymbolTable::Parse(
           TextOfFile(declarations), declarations.string()));
-  rules::ExperienceSet set = rules::ParseExperiences(
-      TextOfFile(file), file.string(), std::move(table));
+  rules::ExperienceSet set =
+      rules::ParseExperiences(text, file.string(), std::move(table));
   if (set.experiences.empty()) {
     throw std::runtime_error(file.string() +
                              ": holds no experience: a state, "
