@@ -38,6 +38,14 @@ add_executable(chain_bench bench/chain_bench.cc)
 target_include_directories(chain_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(chain_bench PRIVATE
   cell_sec benchmark::benchmark cell_warnings)
+add_executable(planning_bench bench/planning_bench.cc)
+target_include_directories(planning_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(planning_bench PRIVATE cell_planning benchmark::benchmark
+  cell_warnings)
+add_executable(rules_bench bench/rules_bench.cc)
+target_include_directories(rules_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(rules_bench PRIVATE cell_rules benchmark::benchmark
+  cell_warnings)
 # What scripts/bench makes of their figures.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME bench_report_test

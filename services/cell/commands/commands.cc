@@ -15,8 +15,8 @@ void AddAllCommands(CLI::App& app, Action* action) {
        {AddDemo,    AddSim,     AddList,    AddReplay, AddDiff,   AddEval,
         AddView,    AddChain,   AddCheck,   AddUp,     AddDown,   AddStatus,
         AddTop,     AddDoctor,  AddEpisode, AddHold,   AddResume, AddGoal,
-        AddPrepare, AddLibrary, AddRecord,  AddLog,    AddSpy,    AddTypes,
-        AddSec,     AddLearn,   AddName}) {
+        AddPrepare, AddLibrary, AddRules,   AddPlan,   AddRecord, AddLog,
+        AddSpy,     AddTypes,   AddSec,     AddLearn,  AddName}) {
     add(app, action);
   }
 }

@@ -38,7 +38,9 @@ const std::set<std::string> kAdapters = {
     "services/cell/commands/demo.cc",          // starts the cell's processes
     "services/cell/doctor/host_machine.cc",    // files and clock of the machine
     "services/cell/commands/eval.cc",          // writes the measures
+    "services/cell/commands/plan.cc",          // reads PPDDL files
     "services/cell/commands/prepare.cc",       // when a session begins
+    "services/cell/commands/rules_files.cc",   // rules and experiences
     "services/cell/commands/record.cc",        // listens until it is stopped
     "services/cell/commands/types.cc",         // writes texts of types
     "services/cell/evaluations/job_pool.cc",   // processes of an evaluation

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/planning/explored_graph.h"
+#include "common/planning/probability_bounds.h"
+
+namespace cell::planning {
+
+/// When a search gives up.
+struct Budget {
+  int64_t max_expansions = 0;  ///< counted from the graph's beginning
+  int64_t max_bytes = 0;
+};
+
+/// Narrows the bounds of the probability of reaching the goal from a state by
+/// depth-first passes over the states that the choices of the highest upper
+/// bounds lead to. Each pass expands what is not expanded, improves bounds on
+/// its way back (Tarjan's algorithm gives the order), and collapses end
+/// components where they have converged.
+class BoundSearch {
+ public:
+  BoundSearch(ExploredGraph* graph, ProbabilityBounds* bounds)
+      : graph_(*graph), bounds_(*bounds) {}
+
+  /// Returns true once the bounds of `state` are no further apart than
+  /// `precision`; false if the budget is spent before.
+  bool Solve(int state, double precision, const Budget& budget);
+
+  /// Expands the state unless the budget is spent; returns whether it is
+  /// expanded.
+  bool TryExpand(int state, const Budget& budget);
+
+ private:
+  struct Frame {
+    int block;
+    int choice;
+    int outcome;
+    double reach;  ///< probability of the path that led here
+  };
+  struct Mark {
+    int64_t pass = 0;  ///< in which the others were set
+    int number = 0;
+    int low = 0;
+    bool is_open = false;
+  };
+
+  Mark& MarkOf(int block) { return marks_[static_cast<size_t>(block)]; }
+  void Pass(int root);
+  bool IsWorthEntering(int block, double reach);
+  void Open(int block, double reach);
+  /// Goes on with the next outcome of the last frame, or closes it.
+  void Step();
+  /// Chooses again after all outcomes were entered; false if nothing is left.
+  bool ChooseAgain(Frame* frame);
+  void Close();
+  void Converge(std::vector<int> blocks);
+  double Sweep(const std::vector<int>& blocks);
+  bool IsSpent(const Budget& budget);
+
+  ExploredGraph& graph_;
+  ProbabilityBounds& bounds_;
+  Budget budget_;
+  double precision_ = 0;
+  double cut_ = 0;
+  bool has_changed_ = false;
+  int64_t pass_ = 0;
+  int num_numbered_ = 0;
+  int64_t next_check_ = 0;
+  bool is_out_of_memory_ = false;
+  std::vector<Frame> frames_;
+  std::vector<int> stack_;
+  std::vector<Mark> marks_;
+  std::vector<int64_t> tried_in_;  // pass in which each choice was tried last
+};
+
+}  // namespace cell::planning

@@ -1,0 +1,7 @@
+cell_add_test(unit/planning/ground_ppddl_test.cc LINK cell_planning)
+cell_add_test(unit/planning/ground_rules_test.cc LINK cell_planning)
+cell_add_test(unit/planning/end_components_test.cc LINK cell_planning)
+cell_add_test(unit/planning/relaxation_test.cc LINK cell_planning)
+cell_add_test(unit/planning/bounded_planner_test.cc LINK cell_planning)
+cell_add_test(unit/planning/random_mdp_test.cc LINK cell_planning Eigen3::Eigen)
+cell_add_test(unit/planning/planning_excuse_test.cc LINK cell_planning)
