@@ -6,6 +6,9 @@
 
 namespace cell {
 
+/// The folder of a task that holds the recordings it is taught from.
+inline constexpr char kRecordingsFolder[] = "recordings";
+
 /// Reads a recording from its file. Storage adapter.
 /// @throws RecordingError "file:line: message", or naming the file if it
 /// cannot be read or is larger than 64 MiB.

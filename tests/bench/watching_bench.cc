@@ -96,8 +96,8 @@ BENCHMARK(SenseAllPredicates)
 void RecogniseATouch(benchmark::State& state) {
   Watched watched(kAssembled);
   Recognition recognition(watched.task.scene_objects, watched.task.parts,
-                          watched.task.MakeSecLibrary(),
-                          watched.task.MakeSensor(), {});
+                          watched.task.MakeLibrary(), watched.task.MakeSensor(),
+                          {});
   watched.stage.Hold("hand_left", "shaft");
   const KeyFrame held = watched.stage.Frame();
   watched.stage.LetGo("hand_left", "shaft");

@@ -221,8 +221,6 @@ void AddEval(CLI::App& app, Action* action) {
       "intervals.\n"
       "Example: cell eval watch --runs 50 --seed 1 --jobs 2 --json watch.json");
   eval->require_subcommand(1);
-  AddEvalRules(*eval, action);
-  AddEvalRexd(*eval, action);
   for (auto& evaluation : AllEvaluations()) {
     auto options = std::make_shared<EvalOptions>();
     options->evaluation = std::move(evaluation);
@@ -260,6 +258,8 @@ void AddEval(CLI::App& app, Action* action) {
     });
   }
   AddEvalSec(*eval, action);
+  AddEvalRules(*eval, action);
+  AddEvalRexd(*eval, action);
 }
 
 }  // namespace cell::cli

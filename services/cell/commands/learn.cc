@@ -27,7 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kRecordingExtension[] = ".recording";
-constexpr char kRecordingsFolder[] = "recordings";  // of a task
 constexpr char kOtherModels[] = "choose another --out or remove it";
 constexpr char kOtherRecordings[] = "choose another --recordings or remove it";
 constexpr int kDecimals = 5;  // [m] a hundredth of a millimetre

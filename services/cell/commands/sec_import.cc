@@ -13,8 +13,8 @@
 #include "common/sec/chain_similarities.h"
 #include "common/text/counted.h"
 #include "services/cell/commands/sec_commands.h"
-#include "services/cell/evaluations/interval.h"
 #include "services/cell/evaluations/sec_recordings.h"
+#include "services/cell/scoring/interval.h"
 
 namespace cell::cli {
 namespace {

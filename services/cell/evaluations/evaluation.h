@@ -9,7 +9,7 @@
 
 #include "common/bus/roster.h"
 #include "common/config/deployment.h"
-#include "services/cell/evaluations/interval.h"
+#include "services/cell/scoring/interval.h"
 
 namespace cell::cli {
 

@@ -7,6 +7,7 @@
 
 #include "common/actions/sec_models.h"
 #include "common/files/draft.h"
+#include "common/recordings/recording_file.h"
 
 namespace cell::cli {
 namespace {
@@ -102,6 +103,7 @@ void RunFolder::Fill(const Deployment& source) {
   constexpr auto kDeep = fs::copy_options::recursive;
   fs::copy(source.config_dir, deployment.config_dir, kDeep);
   fs::copy(source.task_dir, deployment.task_dir, kDeep);
+  fs::remove_all(deployment.task_dir / kRecordingsFolder);  // not for a run
   if (!frames.empty()) KeepFrames(frames, deployment);
   if (fs::is_directory(source.types_dir)) {
     fs::create_directories(deployment.types_dir);

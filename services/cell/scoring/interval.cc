@@ -1,4 +1,4 @@
-#include "services/cell/evaluations/interval.h"
+#include "services/cell/scoring/interval.h"
 
 #include <algorithm>
 #include <cmath>
