@@ -2,30 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-#include <string>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "common/planning/alternatives.h"
 #include "common/planning/ppddl_bindings.h"
+#include "common/planning/ppddl_conditions.h"
 #include "common/planning/reachability.h"
 
 namespace cell::planning {
 namespace {
 
-using ppddl::Condition;
 using ppddl::Effect;
 
 constexpr int64_t kMaxBindings = 50'000'000;
-constexpr int64_t kMaxInstances = 1'000'000;
-constexpr const char* kAdvice =
-    "give parameters narrower types or static conditions";
-
-/// What exceeds the limits; caught by GroundPpddl().
-struct TooLarge {
-  std::string text;
-};
 
 /// The effects of an outcome, deletions before additions: of contradicting
 /// effects an addition counts.
@@ -57,7 +48,8 @@ class Grounder {
       : world_(domain, problem, constants == ConstantAtoms::kReplace),
         problem_(problem),
         constants_(constants),
-        limits_(limits) {}
+        limits_(limits),
+        conditions_(world_, limits) {}
 
   GroundTask Ground() {
     for (const ppddl::Action& action : world_.domain().actions) {
@@ -67,11 +59,13 @@ class Grounder {
       if (!is_done) {
         throw TooLarge{
             fmt::format("{} has more than {} combinations of objects; {}",
-                        action.name, kMaxBindings, kAdvice)};
+                        action.name, kMaxBindings, kNarrower)};
       }
     }
-    where_ = "the goal";
-    task_.goals = Normalize(problem_.goal, true, {});
+    conditions_.Begin("the goal");
+    task_.goals = conditions_.Normalize(problem_.goal, true, {});
+    task_.atoms = conditions_.atoms();
+    task_.initial = conditions_.initial();
     if (constants_ == ConstantAtoms::kReplace) {
       RemoveUnreachable(&task_);
       RemoveUnusedAtoms(&task_);
@@ -81,9 +75,9 @@ class Grounder {
 
  private:
   void AddAction(const ppddl::Action& action, const Objects& objects) {
-    where_ = action.name;
+    conditions_.Begin(action.name);
     const Alternatives preconditions =
-        Normalize(action.precondition, true, objects);
+        conditions_.Normalize(action.precondition, true, objects);
     if (preconditions.empty()) return;
     std::vector<Outcome> outcomes = OutcomesOf(action.effect, objects);
     for (Outcome& outcome : outcomes) {
@@ -98,141 +92,9 @@ class Grounder {
       if (static_cast<int64_t>(task_.actions.size()) > limits_.max_actions) {
         throw TooLarge{
             fmt::format("there are more than {} ground actions, at {}; {}",
-                        limits_.max_actions, where_, kAdvice)};
+                        limits_.max_actions, action.name, kNarrower)};
       }
     }
-  }
-
-  void CheckSize(const Alternatives& alternatives) const {
-    if (static_cast<int>(alternatives.size()) > limits_.max_alternatives) {
-      throw TooLarge{fmt::format(
-          "a condition of {} has more than {} alternatives; split it", where_,
-          limits_.max_alternatives)};
-    }
-  }
-
-  void CheckInstances(const std::vector<ppddl::Variable>& variables) const {
-    double product = 1;
-    for (const ppddl::Variable& variable : variables) {
-      product *= static_cast<double>(world_.ObjectsOf(variable.type).size());
-    }
-    if (product > kMaxInstances) {
-      throw TooLarge{
-          fmt::format("a quantifier of {} has more than {} instances; {}",
-                      where_, kMaxInstances, kAdvice)};
-    }
-  }
-
-  /// Nothing if an object is of a wrong type: such an atom is never true.
-  int AtomOf(int predicate, const std::vector<ppddl::Term>& terms,
-             const Objects& binding, bool* is_valid) {
-    ppddl::GroundAtom atom{predicate, {}};
-    const auto& parameters =
-        world_.domain().predicates[static_cast<size_t>(predicate)].parameters;
-    *is_valid = true;
-    for (size_t i = 0; i < terms.size(); ++i) {
-      atom.objects.push_back(ObjectOf(terms[i], binding));
-      *is_valid &= world_.IsOf(atom.objects.back(), parameters[i].type);
-    }
-    return *is_valid ? Intern(atom) : 0;
-  }
-
-  int Intern(const ppddl::GroundAtom& atom) {
-    const auto [it, is_new] =
-        index_of_.try_emplace(atom, static_cast<int>(task_.atoms.size()));
-    if (is_new) {
-      const auto& predicates = world_.domain().predicates;
-      GroundAtom shown{predicates[static_cast<size_t>(atom.predicate)].name,
-                       {}};
-      for (const int object : atom.objects) {
-        shown.objects.push_back(world_.NameOf(object));
-      }
-      task_.atoms.push_back(std::move(shown));
-      task_.initial.push_back(world_.HoldsAtFirst(atom));
-    }
-    return it->second;
-  }
-
-  /// The atom, or its negation.
-  Alternatives NormalizeAtom(const Condition& condition, bool value,
-                             const Objects& binding) {
-    if (world_.IsStatic(condition.predicate)) {
-      ppddl::GroundAtom atom{condition.predicate, {}};
-      for (const ppddl::Term& term : condition.terms) {
-        atom.objects.push_back(ObjectOf(term, binding));
-      }
-      return world_.HoldsAtFirst(atom) == value ? True() : False();
-    }
-    bool is_valid = false;
-    const int atom =
-        AtomOf(condition.predicate, condition.terms, binding, &is_valid);
-    if (!is_valid) return value ? False() : True();
-    return {Conjunction{{{atom, value}}, {}}};
-  }
-
-  /// The conditions that hold if `condition` has the value.
-  Alternatives Normalize(const Condition& condition, bool value,
-                         const Objects& binding) {
-    using enum Condition::Kind;
-    switch (condition.kind) {
-      case kAtom:
-        return NormalizeAtom(condition, value, binding);
-      case kEqual:
-        return (ObjectOf(condition.terms[0], binding) ==
-                ObjectOf(condition.terms[1], binding)) == value
-                   ? True()
-                   : False();
-      case kNot:
-        return Normalize(condition.parts[0], !value, binding);
-      case kImply:
-        return Join(value == false,
-                    {Normalize(condition.parts[0], !value, binding),
-                     Normalize(condition.parts[1], value, binding)});
-      case kAnd:
-      case kOr:
-        return Join((condition.kind == kAnd) == value,
-                    PartsOf(condition, value, binding));
-      case kForall:
-      case kExists:
-        return Join((condition.kind == kForall) == value,
-                    InstancesOf(condition, value, binding));
-    }
-    return {};
-  }
-
-  std::vector<Alternatives> PartsOf(const Condition& condition, bool value,
-                                    const Objects& binding) {
-    std::vector<Alternatives> parts;
-    for (const Condition& part : condition.parts) {
-      parts.push_back(Normalize(part, value, binding));
-    }
-    return parts;
-  }
-
-  std::vector<Alternatives> InstancesOf(const Condition& condition, bool value,
-                                        const Objects& binding) {
-    CheckInstances(condition.variables);
-    std::vector<Alternatives> instances;
-    ForEachExtension(
-        world_, condition.variables, binding, [&](const Objects& extended) {
-          instances.push_back(Normalize(condition.parts[0], value, extended));
-        });
-    return instances;
-  }
-
-  /// All of the parts, or one of them.
-  Alternatives Join(bool all, const std::vector<Alternatives>& parts) const {
-    Alternatives joint = all ? True() : False();
-    for (const Alternatives& part : parts) {
-      if (!all && part == True()) return True();
-      if (all) {
-        joint = Both(joint, part);
-      } else {
-        joint = joint.empty() ? part : Either(std::move(joint), part);
-      }
-      CheckSize(joint);
-    }
-    return joint;
   }
 
   std::vector<Outcome> OutcomesOf(const Effect& effect,
@@ -258,10 +120,10 @@ class Grounder {
   }
 
   std::vector<Outcome> ChangeOf(const Effect& effect, const Objects& binding) {
-    bool is_valid = false;
-    const int atom = AtomOf(effect.symbol, effect.terms, binding, &is_valid);
-    if (!is_valid) return {{1, {}}};
-    return {{1, {{{}, {{atom, effect.kind == Effect::Kind::kAdd}}}}}};
+    const std::optional<int> atom =
+        conditions_.AtomOf(effect.symbol, effect.terms, binding);
+    if (!atom) return {{1, {}}};
+    return {{1, {{{}, {{*atom, effect.kind == Effect::Kind::kAdd}}}}}};
   }
 
   std::vector<Outcome> AllOf(const Effect& effect, const Objects& binding) {
@@ -273,7 +135,7 @@ class Grounder {
   }
 
   std::vector<Outcome> ForAll(const Effect& effect, const Objects& binding) {
-    CheckInstances(effect.variables);
+    conditions_.CountInstances(effect.variables);
     std::vector<Outcome> joint = {{1, {}}};
     ForEachExtension(
         world_, effect.variables, binding, [&](const Objects& extended) {
@@ -283,7 +145,8 @@ class Grounder {
   }
 
   std::vector<Outcome> When(const Effect& effect, const Objects& binding) {
-    const Alternatives when = Normalize(effect.condition, true, binding);
+    const Alternatives when =
+        conditions_.Normalize(effect.condition, true, binding);
     std::vector<Outcome> outcomes = OutcomesOf(effect.parts[0], binding);
     for (Outcome& outcome : outcomes) {
       std::vector<ConditionalEffect> effects;
@@ -319,7 +182,7 @@ class Grounder {
       throw TooLarge{fmt::format(
           "{} has more than {} outcomes: independent probabilistic effects "
           "multiply",
-          where_, limits_.max_outcomes)};
+          conditions_.where(), limits_.max_outcomes)};
     }
     std::vector<Outcome> product;
     for (const Outcome& left : a) {
@@ -337,9 +200,8 @@ class Grounder {
   const ppddl::Problem& problem_;
   ConstantAtoms constants_;
   GroundingLimits limits_;
+  PpddlConditions conditions_;
   GroundTask task_;
-  std::map<ppddl::GroundAtom, int> index_of_;
-  std::string where_;  // what is grounded, for errors
 };
 
 }  // namespace

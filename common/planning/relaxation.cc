@@ -138,40 +138,41 @@ void Relaxation::Index() {
                            return is_needed_[static_cast<size_t>(fact)] != 0;
                          });
   }
-  clauses_with_ = Flatten(clauses);
-  operators_needing_ = Flatten(needing);
-  operators_changing_ = Flatten(changing);
-  facts_of_ = Flatten(facts);
-  added_by_ = Flatten(added);
-  atoms_of_ = Flatten(atoms);
+  indices_.clauses_with = Flatten(clauses);
+  indices_.operators_needing = Flatten(needing);
+  indices_.operators_changing = Flatten(changing);
+  indices_.facts_of = Flatten(facts);
+  indices_.added_by = Flatten(added);
+  indices_.atoms_of = Flatten(atoms);
   operators_.clear();
-  cost_.resize(num_facts);
+  last_.cost.resize(num_facts);
 }
 
 inline void Relaxation::ReachOne(int fact, int layer, double cost) const {
   const auto index = static_cast<size_t>(fact);
-  if (layer_[index] >= 0) return;
-  layer_[index] = layer;
-  cost_[index] = cost;
-  queue_.push_back(fact);
+  if (last_.layer[index] >= 0) return;
+  last_.layer[index] = layer;
+  last_.cost[index] = cost;
+  last_.queue.push_back(fact);
 }
 
 inline void Relaxation::Reach(int fact, int layer, double cost) const {
   ReachOne(fact, layer, cost);
   if (clauses_.empty()) return;
-  for (const int clause : clauses_with_.Of(fact)) ReachOne(clause, layer, cost);
+  for (const int clause : indices_.clauses_with.Of(fact))
+    ReachOne(clause, layer, cost);
 }
 
 inline void Relaxation::Fire(int op, int layer) const {
-  const double cost = 1 + operator_cost_[static_cast<size_t>(op)];
-  for (const int fact : added_by_.Of(op)) Reach(fact, layer, cost);
+  const double cost = 1 + last_.operator_cost[static_cast<size_t>(op)];
+  for (const int fact : indices_.added_by.Of(op)) Reach(fact, layer, cost);
 }
 
 void Relaxation::ReachAll(Bits state) const {
-  num_missing_ = num_needed_;
-  operator_cost_.assign(num_needed_.size(), 0);
-  layer_.assign(static_cast<size_t>(num_facts_), -1);
-  queue_.clear();
+  last_.num_missing = num_needed_;
+  last_.operator_cost.assign(num_needed_.size(), 0);
+  last_.layer.assign(static_cast<size_t>(num_facts_), -1);
+  last_.queue.clear();
   for (const int atom : needed_atoms_) {
     const bool value =
         (state[static_cast<size_t>(atom / 64)] >> (atom % 64) & 1) != 0;
@@ -179,32 +180,34 @@ void Relaxation::ReachAll(Bits state) const {
     if (is_needed_[static_cast<size_t>(fact)] != 0) Reach(fact, 0, 0);
   }
   for (const int op : always_) Fire(op, 1);
-  for (size_t i = 0; i < queue_.size(); ++i) {
-    const int fact = queue_[i];
-    const int layer = layer_[static_cast<size_t>(fact)];
-    const double cost = cost_[static_cast<size_t>(fact)];
-    for (const int op : operators_needing_.Of(fact)) {
-      operator_cost_[static_cast<size_t>(op)] += cost;
-      if (--num_missing_[static_cast<size_t>(op)] == 0) Fire(op, layer + 1);
+  for (size_t i = 0; i < last_.queue.size(); ++i) {
+    const int fact = last_.queue[i];
+    const int layer = last_.layer[static_cast<size_t>(fact)];
+    const double cost = last_.cost[static_cast<size_t>(fact)];
+    for (const int op : indices_.operators_needing.Of(fact)) {
+      last_.operator_cost[static_cast<size_t>(op)] += cost;
+      if (--last_.num_missing[static_cast<size_t>(op)] == 0)
+        Fire(op, layer + 1);
     }
   }
 }
 
 void Relaxation::MarkRelevant() const {
-  is_seen_.assign(num_needed_.size(), 0);
-  queue_.clear();
-  queue_.push_back(num_atoms_);  // the goal
-  for (size_t i = 0; i < queue_.size(); ++i) {
-    for (const int op : operators_changing_.Of(queue_[i])) {
-      char& is_seen = is_seen_[static_cast<size_t>(op)];
-      if (is_seen != 0 || num_missing_[static_cast<size_t>(op)] > 0) continue;
+  last_.is_seen.assign(num_needed_.size(), 0);
+  last_.queue.clear();
+  last_.queue.push_back(num_atoms_);  // the goal
+  for (size_t i = 0; i < last_.queue.size(); ++i) {
+    for (const int op : indices_.operators_changing.Of(last_.queue[i])) {
+      char& is_seen = last_.is_seen[static_cast<size_t>(op)];
+      if (is_seen != 0 || last_.num_missing[static_cast<size_t>(op)] > 0)
+        continue;
       is_seen = 1;
-      for (const int atom : atoms_of_.Of(op)) {
-        uint64_t& word = relevant_[static_cast<size_t>(atom / 64)];
+      for (const int atom : indices_.atoms_of.Of(op)) {
+        uint64_t& word = last_.relevant[static_cast<size_t>(atom / 64)];
         const uint64_t bit = uint64_t{1} << (atom % 64);
         if ((word & bit) != 0) continue;
         word |= bit;
-        queue_.push_back(atom);
+        last_.queue.push_back(atom);
       }
     }
   }
@@ -219,16 +222,16 @@ void Relaxation::Keep(int fact) const {
     return;
   }
   const int atom = fact / 2;
-  relevant_[static_cast<size_t>(atom / 64)] |= uint64_t{1} << (atom % 64);
+  last_.relevant[static_cast<size_t>(atom / 64)] |= uint64_t{1} << (atom % 64);
 }
 
 void Relaxation::KeepBlocked() const {
   for (const int op : needing_false_) {
-    if (num_missing_[static_cast<size_t>(op)] == 0) continue;
+    if (last_.num_missing[static_cast<size_t>(op)] == 0) continue;
     int blocking = -1;
     bool is_blocked_anyway = false;
-    for (const int fact : facts_of_.Of(op)) {
-      if (layer_[static_cast<size_t>(fact)] >= 0) continue;
+    for (const int fact : indices_.facts_of.Of(op)) {
+      if (last_.layer[static_cast<size_t>(fact)] >= 0) continue;
       const bool needs_true = fact < 2 * num_atoms_ && fact % 2 == 1;
       is_blocked_anyway |= needs_true;
       if (blocking < 0) blocking = fact;
@@ -240,13 +243,13 @@ void Relaxation::KeepBlocked() const {
 Estimate Relaxation::Assess(std::span<uint64_t> state) const {
   ReachAll(state);
   const auto goal = static_cast<size_t>(goal_fact_);
-  if (layer_[goal] < 0) return {0, 0, 0};
+  if (last_.layer[goal] < 0) return {0, 0, 0};
   // The goal is an operator of its own, which costs nothing.
-  const Estimate estimate{1, layer_[goal] - 1.0, cost_[goal] - 1};
-  relevant_.assign(state.size(), 0);
+  const Estimate estimate{1, last_.layer[goal] - 1.0, last_.cost[goal] - 1};
+  last_.relevant.assign(state.size(), 0);
   MarkRelevant();
   KeepBlocked();
-  for (size_t i = 0; i < state.size(); ++i) state[i] &= relevant_[i];
+  for (size_t i = 0; i < state.size(); ++i) state[i] &= last_.relevant[i];
   return estimate;
 }
 

@@ -41,6 +41,24 @@ class Relaxation {
           static_cast<size_t>(begin[i + 1] - begin[i]));
     }
   };
+  struct Indices {
+    Lists clauses_with;        ///< by fact: facts of clauses
+    Lists operators_needing;   ///< by fact
+    Lists operators_changing;  ///< by atom; the goal's last
+    Lists facts_of;            ///< by operator
+    Lists added_by;            ///< by operator; only facts that are needed
+    Lists atoms_of;            ///< by operator
+  };
+  /// What the last exploration has reached; used again by the next one.
+  struct Exploration {
+    std::vector<int> num_missing;       ///< facts of each operator
+    std::vector<double> operator_cost;  ///< of its facts reached so far
+    std::vector<int> layer;             ///< of each fact; -1: not reached
+    std::vector<double> cost;           ///< of each fact
+    std::vector<int> queue;             ///< facts in the order of their layers
+    std::vector<uint64_t> relevant;     ///< atoms, as the bits of a state
+    std::vector<char> is_seen;          ///< by operator
+  };
   static Lists Flatten(const std::vector<std::vector<int>>& lists);
 
   int FactOfClause(const std::vector<Literal>& clause);
@@ -66,20 +84,10 @@ class Relaxation {
   std::vector<int> always_;                // operators that need nothing
   std::vector<int> needing_false_;         // operators that an atom could block
   std::vector<std::vector<int>> clauses_;  // literals as facts
-  Lists clauses_with_;                     // by fact: facts of clauses
-  Lists operators_needing_;                // by fact
-  Lists facts_of_, added_by_, atoms_of_;   // by operator
   std::vector<char> is_needed_;            // by fact: some operator needs it
   std::vector<int> needed_atoms_;          // with a fact that is needed
-  Lists operators_changing_;               // by atom; goals last
-  // What the last exploration has reached; scratch.
-  mutable std::vector<int> num_missing_;       // facts of each operator
-  mutable std::vector<double> operator_cost_;  // of the facts reached so far
-  mutable std::vector<int> layer_;             // of each fact, -1: not reached
-  mutable std::vector<double> cost_;           // of each fact
-  mutable std::vector<int> queue_;  // facts in the order of their layers
-  mutable std::vector<uint64_t> relevant_;
-  mutable std::vector<char> is_seen_;
+  Indices indices_;
+  mutable Exploration last_;
 };
 
 }  // namespace cell::planning

@@ -171,12 +171,12 @@ std::string Write(const Action& action, const Domain& domain) {
 }
 
 std::string Names(const std::vector<int>& objects, const Domain& domain,
-                  const Problem& problem, const std::string& separator) {
+                  const Problem& problem, const std::string& between) {
   std::string text;
   const size_t num_constants = domain.constants.size();
   for (const int object : objects) {
     const auto index = static_cast<size_t>(object);
-    text += (text.empty() ? "" : separator) +
+    text += (text.empty() ? "" : between) +
             (index < num_constants ? domain.constants[index]
                                    : problem.objects[index - num_constants])
                 .name;

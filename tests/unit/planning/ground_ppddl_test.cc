@@ -131,6 +131,19 @@ TEST(GroundPpddl, TooLargeTasksAreRefusedWithTheReason) {
       "p", domain);
   EXPECT_THAT(GroundPpddl(domain, few).reason(),
               HasSubstr("g has more than 4096 outcomes"));
+  // Nested quantifiers multiply.
+  const auto nested = ppddl::ParseProblem(
+      "(define (problem p) (:domain d) (:objects" + objects +
+          ") (:goal (forall (?a) (exists (?b) (forall (?c) (exists (?d) "
+          "(and (p ?a) (p ?b) (p ?c) (p ?d))))))))",
+      "p", ppddl::ParseDomain("(define (domain d) (:predicates (p ?x)))", "d"));
+  EXPECT_THAT(
+      GroundPpddl(ppddl::ParseDomain("(define (domain d) (:predicates (p "
+                                     "?x)))",
+                                     "d"),
+                  nested)
+          .reason(),
+      HasSubstr("the goal"));
 }
 
 }  // namespace
