@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/relational/rule.h"
-#include "common/sec/sec_conditions.h"
+#include "common/sec/learned_model.h"
 
 namespace cell {
 
@@ -14,9 +14,9 @@ namespace cell {
 /// together: a symbol with typed arguments, how it is recognised, what it
 /// does, and how an arm does it. A value in the words of a domain.
 struct ActionModel {
-  int64_t version = 1;               ///< counts the models of this name
-  Action action;                     ///< symbol, rule set, skill
-  std::optional<SecConditions> sec;  ///< how it is recognised; nothing: never
+  int64_t version = 1;              ///< counts the models of this name
+  Action action;                    ///< symbol, rule set, skill
+  std::optional<LearnedModel> sec;  ///< how it is recognised; nothing: never
   /// Section of the task's skills.yaml; empty: no arm can do it.
   std::string skill_settings;
 

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <utility>
 
+#include "common/actions/sec_models.h"
+
 namespace cell {
 namespace {
 
@@ -28,8 +30,8 @@ YAML::Node Block(const std::string& text, const std::string& where) {
     throw ConfigError(where +
                       ": anchors and aliases (& and *) are not supported");
   }
-  // yaml-cpp stops in silence where a document ends too early, and LoadAll()
-  // may not come to an end at all: what comes behind the text must be there.
+  // yaml-cpp stops silently where a document ends too early, and LoadAll() may
+  // never return: this word behind the text must have been read.
   constexpr char kBehind[] = "behind";
   try {
     const YAML::Node node =
@@ -43,7 +45,8 @@ YAML::Node Block(const std::string& text, const std::string& where) {
   throw ConfigError(where + ": not one complete YAML document");
 }
 
-/// The action as it would stand in a task's domain.yaml, but for `undoes`.
+/// The action in the form of a task's domain.yaml, with its event chain and
+/// without `undoes`.
 Config ConfigOf(const ActionRecord& record) {
   YAML::Node node(YAML::NodeType::Map);
   node["arguments"] = YAML::Node(YAML::NodeType::Map);
@@ -147,8 +150,8 @@ ActionModel ReadActionModel(const ActionRecord& record, const Domain& domain,
                       {},
                       record.skill_settings};
     if (config.Has("sec")) {
-      model.sec = SecConditions::FromConfig(
-          config["sec"], model.action.arguments, domain.vocabulary(), parts);
+      model.sec = ReadSecModel(config["sec"], model.action,
+                               {domain.vocabulary(), parts});
     }
     config.Finish();
     return model;

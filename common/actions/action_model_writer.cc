@@ -4,7 +4,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <string>
-#include <variant>
+
+#include "common/sec/learned_model_text.h"
 
 namespace cell {
 namespace {
@@ -40,14 +41,6 @@ class Writer {
     YAML::Node rules(YAML::NodeType::Sequence);
     for (const NdrRule& rule : action_.rules) rules.push_back(RuleNode(rule));
     return YAML::Dump(rules);
-  }
-
-  std::string Sec(const SecConditions& sec) const {
-    YAML::Node node(YAML::NodeType::Map);
-    node["moved"] = action_.arguments[sec.moved].name;
-    node["pick"] = ConditionNode(sec.pick);
-    node["place"] = ConditionNode(sec.place);
-    return YAML::Dump(node);
   }
 
   std::string Skill(const SkillBinding& skill) const {
@@ -121,30 +114,6 @@ class Writer {
     return node;
   }
 
-  YAML::Node ConditionNode(const SceneCondition& condition) const {
-    YAML::Node node(YAML::NodeType::Map);
-    if (!condition.touch.empty()) node["touch"] = PairsNode(condition.touch);
-    if (!condition.apart.empty()) node["apart"] = PairsNode(condition.apart);
-    if (!condition.where.empty()) {
-      node["where"] = LiteralsNode(condition.where, action_.arguments);
-    }
-    return node;
-  }
-
-  YAML::Node PairsNode(const std::vector<SceneCondition::Pair>& pairs) const {
-    YAML::Node node = Flow(YAML::NodeType::Sequence);
-    for (const SceneCondition::Pair& pair : pairs) {
-      YAML::Node names(YAML::NodeType::Sequence);
-      for (const SceneCondition::Role& role : pair) {
-        const auto* argument = std::get_if<size_t>(&role);
-        names.push_back(argument ? action_.arguments[*argument].name
-                                 : std::get<std::string>(role));
-      }
-      node.push_back(names);
-    }
-    return node;
-  }
-
   const Vocabulary& vocabulary_;
   const Action& action_;
 };
@@ -163,7 +132,7 @@ ActionRecord WriteActionModel(const ActionModel& model, const Domain& domain) {
   }
   record.agents = NamesOf(action.agents);
   if (action.undoes) record.undoes = domain.actions()[*action.undoes].name;
-  if (model.sec) record.sec = writer.Sec(*model.sec);
+  if (model.sec) record.sec = ToText(*model.sec, domain.vocabulary());
   record.rules = writer.Rules();
   if (action.skill) record.skill = writer.Skill(*action.skill);
   record.skill_settings = model.skill_settings;

@@ -11,8 +11,8 @@
 namespace cell {
 
 /// The action models that a service works with: those of the task at first;
-/// then what the library says of an action replaces what was known of it. A
-/// value; what others hold of it they must take anew when it changes.
+/// then the library's records replace them, action by action. A value: users of
+/// a model must fetch it again when it changes.
 class ActionModels {
  public:
   enum class Update { kNone, kChanged };
@@ -25,8 +25,8 @@ class ActionModels {
   /// In the domain's order.
   const std::vector<ActionModel>& models() const { return models_; }
 
-  /// A record whose model is known as it is changes nothing. Refused is one
-  /// that makes no sense in the domain, in the words of ReadActionModel().
+  /// A record of the model that is known already changes nothing. Refuses one
+  /// that makes no sense in the domain, with the reason of ReadActionModel().
   Result<Update> Take(const ActionRecord& record);
 
  private:

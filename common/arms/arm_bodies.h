@@ -10,7 +10,7 @@
 
 namespace cell {
 
-/// How an arm stands: its joints, and how its hand places its fingers.
+/// The posture of an arm: its joints, and where its hand places its fingers.
 struct ArmPosture {
   Joints q = Joints::Zero();
   std::string grip = "two_finger_pinch";  ///< of HandType

@@ -48,10 +48,10 @@ class ArmScene {
   /// What the arm held is gone until it is put somewhere.
   void LetGo(const std::string& arm);
 
-  /// Nothing if the arm may stand so, with what it holds; else why not, e.g.
-  /// "gripper_right.finger_1 would hit NAME". Its own posture in the scene is
-  /// of no account. Of its own bodies it minds those that could hit each other
-  /// (MayCollide), at no more than `kSelfClearance`.
+  /// Nothing if the arm may be in this posture, with what it holds; else why
+  /// not, e.g. "gripper_right.finger_1 would hit NAME". Its own posture in the
+  /// scene is ignored. Of its own bodies it checks those that could hit each
+  /// other (MayCollide), at no more than `kSelfClearance`.
   std::optional<std::string> WhyBlocked(const std::string& arm,
                                         const ArmPosture& posture,
                                         const ClearanceRule& rule = {}) const;
@@ -59,12 +59,12 @@ class ArmScene {
   std::optional<BodyPair> FindTooNear(const std::string& arm,
                                       const ArmPosture& posture,
                                       const ClearanceRule& rule = {}) const;
-  /// [m] From the arm, if it stands so, and what it holds to the other arms and
+  /// [m] From the arm in this posture and what it holds to the other arms and
   /// what they hold; up to `cutoff`.
   double DistanceToOthers(const std::string& arm, const ArmPosture& posture,
                           double cutoff) const;
-  /// [m] From the arm, if it stands so, and what it holds to the points in W
-  /// and the parts, up to `cutoff`.
+  /// [m] From the arm in this posture and what it holds to the points in W and
+  /// the parts, up to `cutoff`.
   double DistanceTo(const PointCloud& points,
                     const std::vector<std::string>& parts,
                     const std::string& arm, const ArmPosture& posture,
@@ -74,8 +74,8 @@ class ArmScene {
   std::vector<std::string> Neighbours(const std::string& part,
                                       const Eigen::Isometry3d& X_WO,
                                       double distance) const;
-  /// What the arm's fingers grip if it stands so: the part, neither fixed nor
-  /// held, that the farthest of them is nearest to.
+  /// The part that the arm's fingers grip in this posture: of those neither
+  /// fixed nor held, the one that the farthest finger is nearest to.
   std::optional<std::string> FindGrasped(const std::string& arm,
                                          const ArmPosture& posture) const;
 
@@ -102,7 +102,7 @@ class ArmScene {
   std::vector<Posed> BodiesOf(size_t arm,
                               const std::vector<Eigen::Isometry3d>& X_WB,
                               const Joints& q) const;
-  /// What moves of an arm that stands so, and what it holds.
+  /// The moving bodies of an arm in this posture, and what it holds.
   std::vector<Posed> Moving(size_t arm, const ArmPosture& posture) const;
   std::vector<Posed> OtherArms(size_t arm) const;
   static double Nearest(const std::vector<Posed>& moving,

@@ -21,7 +21,7 @@ struct MotionRequest {
     kSetDown = 2,  ///< what is held, upright on a free place in `area`
     kWay = 3,      ///< to the joints `goal`
     /// Which of the parts `wanted` could be taken where they lie, from home, if
-    /// nothing that can be moved were near.
+    /// all movable parts near it were gone.
     kReach = 4
   };
   struct Arm {
@@ -38,7 +38,7 @@ struct MotionRequest {
   std::vector<std::string> wanted;
   std::optional<PlaceTarget> target;
   Eigen::AlignedBox2d area{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  bool is_for_other_arm = false;  ///< kSetDown: who is to take it next
+  bool is_for_other_arm = false;  ///< kSetDown: the other arm takes it next
   Joints goal = Joints::Zero();
 };
 

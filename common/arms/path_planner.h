@@ -12,7 +12,7 @@
 
 namespace cell {
 
-/// Why an arm may not stand so; nothing if it may.
+/// Why an arm may not be in this posture; nothing if it may.
 using WhyBlockedAt = std::function<std::optional<std::string>(const Joints&)>;
 
 struct PathPlannerParams {
@@ -42,7 +42,7 @@ std::optional<std::string> WhyEdgeBlocked(const Joints& a, const Joints& b,
                                           const WhyBlockedAt& why_blocked,
                                           const PathPlannerParams& params);
 
-/// Asks the scene, as it is now, about an arm whose hand stays as in `posture`.
+/// Asks the scene, as it is now, about an arm with its hand as in `posture`.
 WhyBlockedAt AskScene(const ArmScene& scene, const std::string& arm,
                       const ArmPosture& posture, const ClearanceRule& rule);
 

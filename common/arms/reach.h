@@ -14,10 +14,10 @@ struct ReachParams {
   double approach = 0.080;     ///< [m] straight before a grasp
   double open_margin = 0.024;  ///< [m] wider than the part before a grasp
   double clearance = 0.002;    ///< [m] along the straight ways
-  /// [m] What is nearer to a part where it stands may be grazed by it on its
-  /// straight way there and from there.
+  /// [m] A part may touch what is nearer than this to its place while it moves
+  /// straight to that place or from it.
   double touching = 0.005;
-  size_t max_choices = 8;  ///< the search ends with so many
+  size_t max_choices = 8;  ///< the search ends with this number
   int free_turns =
       24;  ///< copies tried of a part that any turn leaves as it is
   StraightLineParams line;
@@ -44,7 +44,7 @@ struct PlaceChoice {
   double cost = 0;
 };
 
-/// Where a held part shall go: along -way_out over `approach` to X_WO.
+/// Where a held part is to go: along -way_out over `approach` to X_WO.
 struct PlaceTarget {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   Eigen::Vector3d way_out = Eigen::Vector3d::UnitZ();  ///< in W, unit
@@ -66,7 +66,7 @@ struct TransferChoice {
 template <class Choice>
 using Choices = Result<std::vector<Choice>>;
 
-/// Which ways an arm has to take parts and to place them, among what stands in
+/// The grasps and placements of an arm that are possible among the bodies of
 /// the scene. Each is within the joint limits and the arm's workspace, regular,
 /// without collision, and straight from approach to end. Near `seed` and far
 /// from the limits is better.
@@ -108,7 +108,7 @@ class Reach {
   ReachParams params_;
 };
 
-/// The target of a part at a site whose host stands at X_WH.
+/// The target of a part at a site of a host at X_WH.
 PlaceTarget TargetAt(const Site& site, const Eigen::Isometry3d& X_WH);
 
 }  // namespace cell

@@ -32,7 +32,7 @@ class ReachSearch {
                                               const Eigen::Isometry3d& X_GO,
                                               const PlaceTarget& target,
                                               const Joints& seed);
-  /// True if the arm may stand so all along the track.
+  /// True if the arm may be in each posture of the track.
   bool IsFree(const ArmScene& scene, const std::vector<Joints>& track,
               const std::string& grip, double opening,
               const ClearanceRule& rule);

@@ -11,7 +11,7 @@
 
 namespace cell {
 
-/// Tells which messages of a live cell are new, by sender and seq, and counts
+/// Decides which messages of a live cell are new, by sender and seq, and counts
 /// those that were lost. Bytes from the bus are not trusted: a forged seq must
 /// neither block the true ones nor make this grow without bound. Pure.
 class Arrivals {

@@ -106,7 +106,7 @@ class Bus {
 };
 
 /// What one process runs on a bus. The constructor of a service takes
-/// (Bus&, Params) and subscribes; the object lives as long as the service does.
+/// (Bus&, Params) and subscribes; the object exists while the service runs.
 class Service {
  public:
   Service() = default;

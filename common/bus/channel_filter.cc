@@ -9,14 +9,15 @@
 #include <filesystem>
 #include <system_error>
 
+#include "common/bus/lcm_packet.h"
+
 namespace cell {
 namespace {
 
 // A packet as the filter of a UDP socket sees it: UDP's header, then LCM's
 // magic and sequence number, then the channel's name with its NUL.
 constexpr uint32_t kMagicOffset = 8;
-constexpr uint32_t kChannelOffset = kMagicOffset + 8;
-constexpr uint32_t kShortMagic = 0x4c433032;  // "LC02"
+constexpr uint32_t kChannelOffset = kMagicOffset + kShortHeaderSize;
 constexpr uint32_t kDrop = 0;
 constexpr uint32_t kKeep = 0xffffffff;
 

@@ -11,7 +11,7 @@ namespace cell {
 /// keeps from a UDP socket the short LCM messages of all channels but these.
 /// LCM hands every process each packet of the group; without it a process wakes
 /// for each, looks at its channel and sleeps again. Fragments of long messages
-/// and what is no LCM pass: only the first fragment tells its channel.
+/// and other data pass: only the first fragment names its channel.
 /// @returns nothing if the kernel takes no program that long
 std::vector<sock_filter> ChannelFilter(std::vector<std::string> channels);
 

@@ -12,6 +12,11 @@
 
 namespace cell {
 
+bool FeedsClock(const Roster& roster, size_t index) {
+  return roster.entries[index].feeds_clock ||
+         std::ranges::none_of(roster.entries, &Roster::Entry::feeds_clock);
+}
+
 Clock::Clock(Roster roster, int64_t run)
     : roster_(std::move(roster)), run_(run), slots_(roster_.entries.size()) {}
 
@@ -70,16 +75,42 @@ std::vector<std::string> Clock::MissingFromRoster() const {
   return names;
 }
 
-bool Clock::IsAwaited(const Slot& slot) const {
-  return slot.incarnation >= 0 && !slot.is_dead && slot.answered < tick_;
+bool Clock::IsAwaited(size_t index, Before what) const {
+  const Slot& slot = slots_[index];
+  return slot.incarnation >= 0 && !slot.is_dead && slot.answered < tick_ &&
+         (what == Before::kTick || FeedsClock(roster_, index));
 }
 
-std::vector<std::string> Clock::Awaited() const {
+bool Clock::IsAwaiting(Before what) const {
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (IsAwaited(i, what)) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> Clock::Awaited(Before what) const {
   std::vector<std::string> names;
   for (size_t i = 1; i < slots_.size(); ++i) {
-    if (IsAwaited(slots_[i])) names.push_back(roster_.entries[i].name);
+    if (IsAwaited(i, what)) names.push_back(roster_.entries[i].name);
   }
   return names;
+}
+
+std::optional<std::string> Clock::WhoFeedsUnasked(
+    const std::function<bool(const std::string& channel)>& wants) const {
+  for (size_t i = 1; i < slots_.size(); ++i) {
+    if (FeedsClock(roster_, i)) continue;
+    const auto it = slots_[i].flows.find(tick_);
+    if (it == slots_[i].flows.end()) continue;
+    for (const flow_t& flow : it->second) {
+      if (!wants(flow.channel)) continue;
+      return fmt::format(
+          "{} publishes {}, which {} reads without waiting for it: give it "
+          "feeds_clock: true in roster.yaml",
+          roster_.entries[i].name, flow.channel, roster_.entries[0].name);
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<flow_t> Clock::CurrentFlows() const {
@@ -112,7 +143,7 @@ std::vector<joined_t> Clock::JoinWaiting() {
 }
 
 const tick_t& Clock::Advance(const std::vector<Message>& own, bool is_last) {
-  if (!MissingFromRoster().empty() || !Awaited().empty()) {
+  if (!MissingFromRoster().empty() || IsAwaiting(Before::kTick)) {
     throw std::logic_error(
         fmt::format("TICK {} before all have answered {}", tick_ + 1, tick_));
   }

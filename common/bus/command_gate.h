@@ -19,13 +19,13 @@ struct Command {
 /// True for channels on which operators may command.
 bool IsCommand(const std::string& channel);
 
-/// Gives operators' commands their place among the messages of the service that
-/// stands at the roster's head.
+/// Orders operators' commands among the messages of the service that is first
+/// in the roster.
 class CommandGate {
  public:
-  /// The commands as messages of `sender` in `tick`. Those too short for a
-  /// header, or that nobody takes, are refused; `is_wanted` says what the
-  /// service itself takes.
+  /// The commands as messages of `sender` in `tick`. Refuses those too short
+  /// for a header, or without a receiver; `is_wanted`: what the service itself
+  /// takes.
   std::vector<Message> Pass(
       int32_t tick, int32_t sender, std::vector<Command> commands,
       const std::function<bool(const std::string& channel)>& is_wanted);

@@ -33,7 +33,7 @@ class EventLogWriter {
   /// Hands all that was written to the system: it survives the process.
   /// @throws std::runtime_error naming the file, e.g. when the disk is full.
   void Flush();
-  /// The last call: tells what only the close finds out. @throws as Flush().
+  /// The last call. Reports errors found by the close. @throws as Flush().
   void Close();
 
  private:
@@ -45,7 +45,7 @@ class EventLogWriter {
   int64_t next_number_ = 0;
 };
 
-/// Reads LCM logs, damaged ones too: skips to the next whole event and says
+/// Reads LCM logs, damaged ones too: skips to the next whole event and reports
 /// what it skipped (stock readers stop silently).
 class EventLogReader {
  public:

@@ -12,8 +12,8 @@
 namespace cell {
 
 /// A service that follows a log of a lockstep run while it is played: the log's
-/// TICKs are the clock, and nobody is answered. Its outputs are those of the
-/// recorded service, or it says where they begin to differ. Pure.
+/// TICKs are the clock, and no ACK is sent. Compares its outputs with those of
+/// the recorded service and reports the first difference. Pure.
 class FollowNode {
  public:
   FollowNode(const Roster& roster, const std::string& name,
@@ -32,7 +32,7 @@ class FollowNode {
   int32_t tick() const { return node_.tick(); }
 
   int64_t num_equal() const { return num_equal_; }
-  /// The first tick whose outputs are not the recorded ones, and how.
+  /// The first tick in which outputs differ from the recorded ones, and how.
   const std::optional<std::string>& difference() const { return difference_; }
 
  private:

@@ -12,15 +12,15 @@
 
 namespace cell {
 
-/// Messages that came but whose tick has not: keeps every candidate of an id,
-/// because a forged one may wear a true one's; the manifest's digest tells
-/// which it is.
+/// Messages that came before their TICK: keeps every candidate of an id,
+/// because a forged one may carry a true one's; the manifest's digest tells
+/// them apart.
 class Inbox {
  public:
   void Put(Message message);
 
   /// The named messages, or nothing while one has not come; missing() then
-  /// says which.
+  /// names it.
   std::optional<std::vector<Message>> Take(const std::vector<MessageId>& ids);
   const std::optional<MessageId>& missing() const { return missing_; }
   /// True if the missing message came with other bytes than announced.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <set>
 #include <thread>
@@ -13,6 +15,7 @@
 #include "common/bus/clock.h"
 #include "common/bus/decode.h"
 #include "common/bus/inbox.h"
+#include "common/bus/lcm_receiver.h"
 #include "common/bus/manifest.h"
 #include "common/text/printable.h"
 
@@ -37,31 +40,33 @@ class LcmClock {
         hooks_(hooks),
         stop_(stop),
         main_(address.MainUrl()),
-        control_(address.ControlUrl()),
         host_(roster, factory),
-        clock_(roster, RandomIdentity()) {
-    main_.SubscribeTo(host_.WantedChannels(),
-                      [this](const std::string& channel, Bytes bytes) {
-                        OnData(channel, std::move(bytes));
-                      });
-    control_.Subscribe("(HELLO|ACK|COMMAND_.*)",
-                       [this](const std::string& channel, Bytes bytes) {
-                         OnControl(channel, std::move(bytes));
-                       });
-  }
+        clock_(roster, RandomIdentity()),
+        data_(address.group, address.port, host_.WantedChannels(),
+              [this](const std::string& channel, Bytes bytes) {
+                OnData(channel, std::move(bytes));
+              }),
+        control_(address.group, address.port + 1, kAllChannels,
+                 [this](const std::string& channel, Bytes bytes) {
+                   OnControl(channel, std::move(bytes));
+                 }) {}
 
   LcmClockSummary Run() {
     hooks_.on_ready();
     if (!AwaitRoster()) return summary_;
     const auto start = steady_clock::now();
     bool is_last = false;
-    while (!is_last && clock_.Awaited().empty()) {
+    while (!is_last && AwaitAcks(Clock::Before::kActing)) {
       const int32_t tick = clock_.tick() + 1;
       if (options_.is_realtime) SleepUntil(start, tick);
       const auto inputs = AwaitInputs();
       if (!inputs) break;
       const std::vector<Message> own =
           host_.Tick(tick, *inputs, std::exchange(commands_, {}));
+      if (!AwaitAcks(Clock::Before::kTick)) break;
+      if (const auto error = clock_.WhoFeedsUnasked(host_wants_)) {
+        throw BusError("clock: " + *error);
+      }
       // Whoever stops the clock still gets a last TICK out, so that all end.
       is_last = host_.IsLast(tick) || stop_;
       const tick_t& manifest = clock_.Advance(own, is_last);
@@ -70,8 +75,8 @@ class LcmClock {
       }
       main_.Publish(kTickChannel, Bus::Encode(manifest));
       inbox_.Purge(tick - 1);
-      AwaitAcks();
     }
+    AwaitAcks(Clock::Before::kTick);
     summary_.num_ticks = clock_.tick() + 1;
     summary_.elapsed_s =
         std::chrono::duration<double>(steady_clock::now() - start).count();
@@ -110,34 +115,40 @@ class LcmClock {
     } else if (channel == kAckChannel) {
       const auto ack = Decode<ack_t>(bytes);
       if (!ack || !clock_.Ack(*ack)) ++summary_.num_refused;
-    } else if (commands_.size() < kMaxWaitingCommands) {
-      commands_.push_back({channel, std::move(bytes)});
+    } else if (IsCommand(channel)) {
+      OnCommand({channel, std::move(bytes)});
+    }
+  }
+
+  void OnCommand(Command command) {
+    if (commands_.size() < kMaxWaitingCommands) {
+      commands_.push_back(std::move(command));
     } else {
       ++summary_.num_refused;
     }
   }
 
+  // Data alone does not wake the clock: an ACK names it.
   void Listen() {
     hooks_.on_alive();
-    WaitForAny({&main_, &control_}, 20);
+    WaitForAny({&control_}, 20);
     control_.Drain();
-    main_.Drain();
   }
 
   // Warns now and then, and gives up if that is wished.
-  void Watch(steady_clock::time_point since,
-             const std::vector<std::string>& names, const char* what) {
-    const auto waited = steady_clock::now() - since;
+  template <class Names>
+  void Watch(steady_clock::time_point since, const char* what, Names names) {
+    const auto now = steady_clock::now();
     if (options_.giveup_s &&
-        waited > std::chrono::duration<double>(*options_.giveup_s)) {
+        now - since > std::chrono::duration<double>(*options_.giveup_s)) {
       throw BusError(fmt::format("clock: tick {}: gave up waiting for {} of {}",
-                                 clock_.tick(), what, fmt::join(names, ", ")));
+                                 clock_.tick(), what,
+                                 fmt::join(names(), ", ")));
     }
-    if (waited > kWarnPeriod &&
-        steady_clock::now() - last_warning_ > kWarnPeriod) {
-      last_warning_ = steady_clock::now();
+    if (now - std::max(since, last_warning_) > kWarnPeriod) {
+      last_warning_ = now;
       std::cerr << fmt::format("clock: tick {}: waiting for {} of {}\n",
-                               clock_.tick(), what, fmt::join(names, ", "));
+                               clock_.tick(), what, fmt::join(names(), ", "));
     }
   }
 
@@ -146,46 +157,48 @@ class LcmClock {
     while (!stop_) {
       const auto names = clock_.MissingFromRoster();
       if (names.empty()) return true;
-      Watch(since, names, "HELLO");
+      Watch(since, "HELLO", [&names] { return names; });
       Listen();
+      data_.Drain();
     }
     return false;
   }
 
-  void AwaitAcks() {
+  // False if the clock was stopped before they came.
+  bool AwaitAcks(Clock::Before what) {
     const auto since = steady_clock::now();
     auto last_repeat = since;
     while (!stop_ || steady_clock::now() - since < kStopGrace) {
-      const auto names = clock_.Awaited();
-      if (names.empty()) return;
-      Watch(since, names, "ACK");
+      if (!clock_.IsAwaiting(what)) return true;
+      Watch(since, "ACK", [&] { return clock_.Awaited(what); });
       Listen();
       if (steady_clock::now() - last_repeat < kRepeatPeriod) continue;
       last_repeat = steady_clock::now();
+      data_.Drain();
       for (const tick_t& tick : clock_.TicksToRepeat()) {
         ++summary_.num_repeats;
         main_.Publish(kTickChannel, Bus::Encode(tick));
       }
     }
+    return false;
   }
 
   // The messages of the tick before that the host wants; they were announced
   // by ACKs and may still be on their way.
   std::optional<std::vector<Message>> AwaitInputs() {
-    std::vector<MessageId> ids = MessagesIn(clock_.CurrentFlows());
-    std::erase_if(
-        ids, [this](const MessageId& id) { return !host_.Wants(id.channel); });
+    const auto ids = MessagesIn(clock_.CurrentFlows(), host_wants_);
     const auto since = steady_clock::now();
-    while (!stop_) {
+    for (data_.Drain();; data_.Drain()) {
       if (auto messages = inbox_.Take(ids)) return messages;
+      if (stop_) return std::nullopt;
       if (steady_clock::now() - since > kLossTimeout) {
         throw BusError("LOST clock: needs channel " +
                        ToString(*inbox_.missing()) +
                        " (check recv_buf_size and net.core.rmem_max)");
       }
-      Listen();
+      hooks_.on_alive();
+      WaitForAny({&data_}, 20);
     }
-    return std::nullopt;
   }
 
   void SleepUntil(steady_clock::time_point start, int32_t tick) {
@@ -199,11 +212,16 @@ class LcmClock {
   LcmClockOptions options_;
   ProcessHooks hooks_;
   const std::atomic<bool>& stop_;
-  LcmPort main_;
-  LcmPort control_;
+  LcmPort main_;  // for sending only
   ClockHost host_;
+  std::function<bool(const std::string&)> host_wants_ =
+      [this](const std::string& channel) {
+        return host_.Wants(channel);
+      };
   Clock clock_;
   Inbox inbox_;
+  LcmReceiver data_;
+  LcmReceiver control_;
   std::vector<Command> commands_;
   std::set<std::string> complaints_;
   LcmClockSummary summary_;

@@ -25,8 +25,8 @@ struct LcmClockSummary {
   int64_t num_refused = 0;     ///< HELLOs, ACKs and commands
 };
 
-/// Runs the service that owns time over LCM, all others in lockstep with it,
-/// until it ends the run or `stop` is set.
+/// Runs the service that owns time over LCM, with all others in lockstep, until
+/// it ends the run or `stop` is set.
 /// @throws BusError when `giveup_s` has passed, when a message is lost, or when
 /// another clock is heard.
 LcmClockSummary RunLcmClock(const LcmAddress& address, const Roster& roster,

@@ -33,11 +33,11 @@ class LiveLog {
 
   /// The message that the journal names, or nullptr.
   const Message* Find(const MessageId& id) const;
-  /// True if there is one with this identity, whatever it says.
+  /// True if there is one with this identity, whatever its content.
   bool Has(const std::string& channel, int32_t sender, int32_t seq) const {
     return messages_.contains({channel, sender, seq});
   }
-  /// All that `sender` has said but STEPs and commands passed on, in order.
+  /// All messages of `sender` except STEPs and forwarded commands, in order.
   std::vector<const Message*> SaidBy(int32_t sender) const;
   /// Every message, by tick, channel, sender and seq.
   std::vector<const Message*> InOrder() const;

@@ -16,9 +16,9 @@ namespace cell {
 
 inline constexpr char kStepChannel[] = "STEP";
 
-/// A service of a live cell, pure: messages as they come in, once a tick an
-/// activation with all that came, its STEP and its outputs out. Nobody waits
-/// for anybody.
+/// A service of a live cell: takes messages as they arrive; once a tick it is
+/// activated with all of them and sends its STEP and its outputs. It waits for
+/// no other service. Pure.
 class LiveNode {
  public:
   using Send = std::function<void(const Message&)>;
@@ -65,7 +65,7 @@ class LiveNode {
 /// of others in the next one.
 int32_t TicksLate(const Message& message, int32_t tick);
 
-/// How a service lives in a live cell: no latency but what it takes.
+/// Parameters of a service in a live cell: no latency is simulated.
 Stepper::Params LiveStepperParams(const Roster& roster, size_t index,
                                   int32_t sender);
 

@@ -21,13 +21,13 @@ struct LiveReplayResult {
   /// recomputed.
   std::vector<std::string> gaps;
   int64_t num_unrecorded = 0;  ///< recomputed, but the log lacks them
-  /// Lives that began before the log: nobody knows their state.
+  /// Incarnations that began before the log: their state is not known.
   std::vector<std::string> skipped;
 };
 
-/// Gives each incarnation of a service, step by step, what the journal says it
-/// was given, and compares every message that it publishes with the one in the
-/// log, byte for byte.
+/// Gives each incarnation of a service, step by step, the inputs that the
+/// journal names, and compares every message that it publishes with the one in
+/// the log, byte for byte.
 LiveReplayResult ReplayLive(const LiveLog& log, const Roster& roster,
                             const std::string& service,
                             const ServiceFactory& factory);

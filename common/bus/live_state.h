@@ -15,15 +15,15 @@ class LiveState {
   /// @throws std::runtime_error naming the folder or file that cannot be used.
   explicit LiveState(std::filesystem::path dir);
 
-  /// [us of the monotonic clock] of tick 0: as CountFrom() has said, else that
-  /// of the first call since Forget(); if that lies ahead (after a boot), now.
+  /// [us of the monotonic clock] of tick 0: as set by CountFrom(), else that of
+  /// the first call since Forget(); if that lies ahead (after a boot), now.
   int64_t Epoch(int64_t now_us) const;
 
   /// How often `service` has started before; counts this start. On disk before
   /// it returns: no identity is given twice.
   int32_t NextLife(const std::string& service) const;
 
-  /// Ticks count anew from the next Epoch() on. Only while no service runs.
+  /// Ticks count from 0 again at the next Epoch(). Only while no service runs.
   void Forget() const;
   /// Ticks count from `epoch_us` on. Only while no service runs.
   void CountFrom(int64_t epoch_us) const;

@@ -40,7 +40,7 @@ hello_t LockstepNode::Hello() const {
   return hello;
 }
 
-void LockstepNode::PutTick(const tick_t& tick) {
+void LockstepNode::PutTick(tick_t tick) {
   if (!IsSound(tick.flows)) return;
   if (has_joined() && tick.run != run_) {
     throw BusError(fmt::format(
@@ -65,7 +65,8 @@ void LockstepNode::PutTick(const tick_t& tick) {
   if (!has_joined()) return inbox_.Purge(tick.header.tick);
   if (tick.header.tick >= next_tick_) {
     if (tick.header.tick < next_tick_ + kMaxAhead) {
-      ticks_.try_emplace(tick.header.tick, tick);
+      const int32_t number = tick.header.tick;
+      ticks_.try_emplace(number, std::move(tick));
     }
   } else {
     ++num_repeats_;
@@ -75,10 +76,9 @@ void LockstepNode::PutTick(const tick_t& tick) {
 
 std::vector<MessageId> LockstepNode::NeededBy(const tick_t& tick) const {
   if (tick.header.tick == join_tick_) return {};
-  std::vector<MessageId> ids = MessagesIn(tick.flows);
-  std::erase_if(ids,
-                [this](const MessageId& id) { return !Wants(id.channel); });
-  return ids;
+  return MessagesIn(tick.flows, [this](const std::string& channel) {
+    return Wants(channel);
+  });
 }
 
 bool LockstepNode::Advance() {

@@ -27,7 +27,7 @@ class LockstepNode {
     std::function<void(const ack_t&)> send_ack;
   };
 
-  /// `nonce` tells this incarnation from others; must not repeat.
+  /// `nonce` distinguishes this incarnation from others; must not repeat.
   LockstepNode(const Roster& roster, const std::string& name, int64_t nonce,
                const ServiceFactory& factory, Link link);
 
@@ -42,7 +42,7 @@ class LockstepNode {
 
   /// @throws BusError if another cell or another incarnation of this name is
   /// heard.
-  void PutTick(const tick_t& tick);
+  void PutTick(tick_t tick);
 
   /// Handles the next tick if all it needs is there; false if not.
   bool Advance();

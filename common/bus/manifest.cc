@@ -32,9 +32,12 @@ std::vector<flow_t> FlowsOf(const std::vector<Message>& messages) {
   return sorted;
 }
 
-std::vector<MessageId> MessagesIn(const std::vector<flow_t>& flows) {
+std::vector<MessageId> MessagesIn(
+    const std::vector<flow_t>& flows,
+    const std::function<bool(const std::string& channel)>& wants) {
   std::vector<MessageId> ids;
   for (const flow_t& flow : flows) {
+    if (wants && !wants(flow.channel)) continue;
     for (int32_t i = 0; i < flow.count; ++i) {
       ids.push_back({flow.channel, flow.sender, flow.first_seq + i,
                      flow.digests[static_cast<size_t>(i)]});

@@ -24,11 +24,14 @@ std::string ToString(const MessageId& id);
 /// What `messages` (of one tick) amount to, by (channel, sender).
 std::vector<flow_t> FlowsOf(const std::vector<Message>& messages);
 
-/// All messages that the flows name.
-std::vector<MessageId> MessagesIn(const std::vector<flow_t>& flows);
+/// The messages that the flows name, of the channels that `wants` accepts; all
+/// without it.
+std::vector<MessageId> MessagesIn(
+    const std::vector<flow_t>& flows,
+    const std::function<bool(const std::string& channel)>& wants = {});
 
-/// The part of a TICK that does not depend on who said it when: without run id
-/// and nonces. Its bytes are what logs keep and digests cover.
+/// The part of a TICK that is the same in every run: without run id and nonces.
+/// Its bytes are what logs keep and digests cover.
 tick_t Canonical(tick_t tick);
 
 /// The canonical TICK as a message.

@@ -26,7 +26,7 @@ bool OrderedBefore(const Message& a, const Message& b);
 /// XXH3-64 of the bytes.
 int64_t DigestOf(const Bytes& bytes);
 
-/// Identity as it stands at fixed offsets in the bytes of every message type
+/// The identity at fixed offsets in the bytes of every message type
 /// (fingerprint, then header_t), read without decoding.
 struct WireHeader {
   int64_t utime = 0;

@@ -3,8 +3,8 @@
 namespace cell {
 
 /// Moves the calling process (before it starts threads) into a network of its
-/// own: loopback only, with a multicast route. What it says there nobody else
-/// hears. Needs root or unprivileged user namespaces.
+/// own: loopback only, with a multicast route. No process outside hears what it
+/// sends there. Needs root or unprivileged user namespaces.
 /// @throws std::system_error that names the step which failed.
 void EnterPrivateNetwork();
 

@@ -4,8 +4,8 @@
 
 namespace cell {
 
-/// What whoever has started a process wants to be told. Depends on nothing that
-/// the bus carries: a service whose clock stands still is alive.
+/// Notifications for the parent of a process. They do not depend on messages of
+/// the bus: a service is alive, too, while its clock stands still.
 struct ProcessHooks {
   std::function<void()> on_ready = [] {
   };  ///< once it listens

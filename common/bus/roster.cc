@@ -15,7 +15,8 @@ Roster Roster::FromConfig(const Config& config, const std::string& option) {
   std::set<std::string> names;
   for (const Config& item : config["services"].Items()) {
     Entry entry{item.Get<std::string>("name"), item.Integer("latency", 1, 1000),
-                item.GetOr<std::string>("truth_role", "")};
+                item.GetOr<std::string>("truth_role", ""),
+                item.GetOr<bool>("feeds_clock", false)};
     if (!names.insert(entry.name).second) {
       item.Fail("'" + entry.name + "' is listed twice");
     }

@@ -10,13 +10,17 @@
 
 namespace cell {
 
-/// Who takes part in a cell: deploy/config/roster.yaml. The first one is the
+/// The services of a cell: deploy/config/roster.yaml. The first one is the
 /// clock. The index in the roster is the base of a service's sender ids.
 struct Roster {
   struct Entry {
     std::string name;
     int32_t latency = 1;     ///< ticks that one activation takes, >= 1
     std::string truth_role;  ///< as in truth_access.h; empty: the name
+    /// It may publish what the clock's own service reads. The clock's service
+    /// acts once these have answered, and the others may still be at work. If
+    /// it is said of none, it holds for all.
+    bool feeds_clock = false;
   };
   std::string task;  ///< folder under deploy/tasks
   std::vector<Entry> entries;
@@ -24,7 +28,7 @@ struct Roster {
   /// `option`, for which a run has to ask. As they come last, the others'
   /// sender ids are the same without them.
   std::vector<std::string> absent;
-  /// Of those who may speak, whether they take part in this run or another.
+  /// The number of services that may publish, in this run or in another.
   size_t NumListed() const { return entries.size() + absent.size(); }
 
   /// With those of this `option`; empty: none that has one.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cell/types_digest.h"
+#include "common/bus/bus_error.h"
 #include "common/bus/manifest.h"
 
 namespace cell {
@@ -74,6 +75,12 @@ bool SimBus::Step() {
   if (last_tick_.is_last) return false;
   const int32_t tick = clock_.tick() + 1;
   BeginOutagesAndLives(tick);
+  if (const auto error =
+          clock_.WhoFeedsUnasked([this](const std::string& channel) {
+            return host_.Wants(channel);
+          })) {
+    throw BusError(*error);
+  }
 
   std::vector<Message> inputs;
   for (const Message& message : published_) {

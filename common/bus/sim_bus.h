@@ -32,7 +32,7 @@ class SimBus {
   };
   /// `factories` by service name, one for each of the roster's.
   /// @throws std::invalid_argument naming a service without factory, or an
-  /// outage of the clock or of nobody.
+  /// outage of the clock or of an unknown service.
   SimBus(const Roster& roster, std::map<std::string, ServiceFactory> factories,
          std::vector<Outage> outages = {},
          std::vector<TimedCommand> commands = {});

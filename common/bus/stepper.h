@@ -14,7 +14,7 @@
 namespace cell {
 
 /// The Bus that a service sees, pure: decides order, depth, timers, latency,
-/// stamps and counts. Whoever feeds it - LCM, SimBus, a log - only says which
+/// stamps and counts. Its caller - LCM, SimBus, a log - only decides which
 /// messages belong to which tick.
 class Stepper final : public Bus {
  public:
@@ -63,7 +63,7 @@ class Stepper final : public Bus {
   /// Runs the activation; the outputs in the order of publication, stamped.
   std::vector<Message> Run();
 
-  /// The tick after which the service wants the run to end, if it said so.
+  /// The tick after which the service asks to end the run, if any.
   std::optional<int32_t> end_tick() const { return end_tick_; }
   const std::map<std::string, int64_t>& num_rejected() const {
     return num_rejected_;

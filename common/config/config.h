@@ -14,16 +14,16 @@
 namespace cell {
 
 /// One node of a YAML file, read strictly (LoadStrictYaml): a missing key and a
-/// value of the wrong type throw at once, keys that nobody read throw in
+/// value of the wrong type throw at once, keys that were not read throw in
 /// Finish(). Numbers are decimal (ParseDecimal), booleans true or false. Every
-/// error names file, key and line, e.g.
-/// "tracker.yaml:period_ticks: missing (line 3)".
+/// error names file, key and line, e.g. "tracker.yaml:period_ticks: missing
+/// (line 3)".
 class Config {
  public:
   /// @throws ConfigError if the file cannot be read or is not YAML.
   static Config Load(const std::string& path);
-  /// `name` stands for the file in errors. `has_lines`: false for a text that
-  /// nobody has written, whose lines mean nothing.
+  /// `name` replaces the file in errors. `has_lines`: false for generated text,
+  /// in which line numbers mean nothing.
   static Config Parse(const std::string& text, const std::string& name,
                       bool has_lines = true);
 

@@ -6,11 +6,10 @@
 
 namespace cell {
 
-/// Reads the whole text as a decimal number, in every locale alike. Refused
-/// are what C would read as another number than a person does: a leading zero
-/// (octal), 0x, what follows the number, values beyond the type, nan and inf;
-/// the reason reads "has a leading zero". T is int, int64_t, uint64_t, or
-/// double.
+/// Reads the whole text as a decimal number, in any locale. Refuses what C
+/// reads as another number than a person does: a leading zero (octal), 0x, text
+/// after the number, values beyond the type, nan and inf. The reason is given
+/// as "has a leading zero". T is int, int64_t, uint64_t, or double.
 template <class T>
 Result<T> ParseDecimal(std::string_view text);
 

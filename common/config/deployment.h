@@ -14,7 +14,7 @@ struct Deployment {
   std::filesystem::path types_dir;   ///< texts of the message types, if there
   std::filesystem::path run_dir;  ///< where a run is recorded; empty: nowhere
   bool is_live = false;           ///< by the wall clock, not in lockstep
-  bool has_operator = false;      ///< who resumes a cell that holds
+  bool has_operator = false;      ///< a person resumes a cell that holds
   /// A recorded run that is repeated from its own inputs; empty: none is.
   std::filesystem::path repeated_dir;
 

@@ -137,7 +137,7 @@ class Checker final : public YAML::EventHandler {
     YAML::anchor_t anchor = YAML::NullAnchor;
     int64_t size_before = 0;
     std::set<std::string> keys;
-    std::optional<std::string> key;  // whose value is next
+    std::optional<std::string> key;  // its value is next
     int num_items = 0;
   };
 
@@ -261,8 +261,8 @@ std::string ConfigMessage(const std::string& file, const std::string& key,
 YAML::Node LoadStrictYaml(const std::string& text, const std::string& file) {
   RequireText(text, file);
   try {
-    // yaml-cpp stops in silence where a document or a quote ends too early, and
-    // may find documents for ever: a last one shows that all was read.
+    // yaml-cpp stops silently where a document or a quote ends too early, and
+    // may find documents endlessly: a last one shows that all was read.
     std::istringstream input(text + "\n---\n" + kEnd + "\n");
     YAML::Parser parser(input);
     Checker checker(file);

@@ -18,8 +18,8 @@ class ConfigError : public std::runtime_error {
 std::string ConfigMessage(const std::string& file, const std::string& key,
                           int line, const std::string& message);
 
-/// Reads the one document of a file, and refuses what YAML allows but nobody
-/// means in a configuration, where yaml-cpp would silently do something else:
+/// Reads the one document of a file, and refuses what YAML allows but is a
+/// mistake in a configuration, where yaml-cpp would silently do something else:
 /// a key twice, keys that are no plain words, tags, merge keys, a second
 /// document, an anchor's name twice, an alias within what it stands for, or of
 /// more nodes than memory holds, a literal that a comma cuts in two, tabs that

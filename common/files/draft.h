@@ -23,8 +23,8 @@ class Draft {
   /// Forces what was written to the disk and puts it in its place, instead of
   /// what is there. @throws std::runtime_error naming the file.
   void Replace();
-  /// The same, but @throws if anything is there, however late it came; `advice`
-  /// says what to do then.
+  /// The same, but @throws if anything is there, however late it came; the
+  /// error ends with `advice`.
   void PutNew(std::string_view advice);
 
  private:
@@ -42,7 +42,7 @@ void WriteFile(const std::filesystem::path& path, std::string_view text);
 void WriteNewFile(const std::filesystem::path& path, std::string_view text,
                   std::string_view advice);
 
-/// Asked before long work whose result goes there.
+/// To be called before long work that writes its result there.
 /// @throws std::runtime_error with the advice if a regular file is there.
 void RequireFree(const std::filesystem::path& path, std::string_view advice);
 

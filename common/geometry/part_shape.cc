@@ -48,7 +48,7 @@ Geometry MakeGeometry(const Piece& piece) {
   return nullptr;
 }
 
-// Penetration depth is not asked for: it is costly and nobody needs it.
+// Penetration depth is not computed: it is costly and not needed.
 double ConvexDistance(const Geometry& a, const Isometry3d& X_WA,
                       const Geometry& b, const Isometry3d& X_WB) {
   fcl::DistanceRequestd request;
@@ -156,8 +156,14 @@ double PartShape::DistanceTo(const PointCloud& cloud, const Isometry3d& X_WO,
       box_.exteriorDistance(X_OW * cloud.centre()) - cloud.radius() >= cutoff) {
     return cutoff;
   }
+  // Most points of a cloud are far from the part: outside a sphere around its
+  // box, larger by what rounding could change.
+  const Vector3d centre_W = X_WO * box_.center();
+  const double radius = 0.5 * box_.diagonal().norm() + 1e-9;
   double nearest = cutoff;
   for (const Vector3d& p_W : cloud.points()) {
+    const double reach = radius + nearest;
+    if ((p_W - centre_W).squaredNorm() >= reach * reach) continue;
     const Vector3d p_O = X_OW * p_W;
     if (box_.exteriorDistance(p_O) >= nearest) continue;
     for (const ConvexSolid& solid : solids_) {

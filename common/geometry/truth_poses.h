@@ -10,7 +10,7 @@
 
 namespace cell {
 
-/// Where the testbed says everything is.
+/// The ground-truth poses of the testbed.
 struct TruthPoses {
   int64_t utime = 0;  ///< [us since the start of the run]
   std::map<std::string, Eigen::Isometry3d> poses;  ///< X_WB of bodies

@@ -24,7 +24,7 @@ struct Camera {
 Camera CameraLookingAt(const Eigen::Vector3d& p_WC, const Eigen::Vector3d& p_WT,
                        int width, int height, double horizontal_view_rad);
 
-/// A camera at X_WC that sees so far [rad] in all: wide, high.
+/// A camera at X_WC with these full view angles [rad]: wide, high.
 Camera CameraWithView(const Eigen::Isometry3d& X_WC, int width, int height,
                       const Eigen::Vector2d& view_angles_rad);
 

@@ -40,7 +40,7 @@ bool EndsAsPng(const FileBytes& file) {
          std::equal(kEnd.begin(), kEnd.end(), file.end() - kEnd.size());
 }
 
-/// The file, as far as its header tells.
+/// Format and size of the file by its header.
 Png Inspect(const std::filesystem::path& path) {
   Png png;
   RequireNoError(lodepng::load_file(png.file, path.string()), path);

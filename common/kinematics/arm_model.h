@@ -32,8 +32,8 @@ struct IkConfiguration {
 };
 
 /// A kind of arm: its kinematics, limits and bodies. Frames: B of its base, 1
-/// to 6 after each joint; the last is the flange F, its z out of it. Knows
-/// nothing of where the arm stands or what it carries (ArmLayout).
+/// to 6 after each joint; the last is the flange F, its z out of it. It does
+/// not contain where the arm stands or what it carries (ArmLayout).
 class ArmModel {
  public:
   using LinkFrames = std::array<Eigen::Isometry3d, kNumJoints>;
@@ -78,7 +78,7 @@ class ArmModel {
                                            const Joints& seed) const = 0;
   virtual IkConfiguration ConfigurationOf(const Joints& q) const = 0;
   /// True where a Cartesian motion would want joints to turn too fast; motion
-  /// from joints to joints does not mind.
+  /// from joints to joints needs no continuity.
   virtual bool IsNearSingularity(const Joints& q) const = 0;
 
   /// X_BF.

@@ -120,8 +120,8 @@ bool UrArm::MayCollide(size_t body_a, size_t body_b) const {
   if (outer >= kNumBodies) return inner < kWristBody;  // what it carries
   // The upper arm's housing turns right above the base.
   if (inner == kBaseBody && outer == kUpperArmBody) return false;
-  // The plinth is a neighbour of what turns on it, and so are three in a row of
-  // the wrist, whose axes meet.
+  // The plinth is a neighbour of what turns on it; in the wrist three bodies in
+  // a row are neighbours, since its axes meet.
   if (inner == kPlinthBody) return outer > kFirstLinkBody;
   const bool is_wrist = inner >= kFirstLinkBody + 2;
   return outer - inner > (is_wrist ? 2u : 1u);

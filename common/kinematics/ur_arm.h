@@ -15,8 +15,8 @@ class UrArm final : public ArmModel {
     std::string name;
     /// [m] Of the table, along (d) and across (a) the axes.
     double d1 = 0, a2 = 0, a3 = 0, d4 = 0, d5 = 0, d6 = 0;
-    /// [m] The upper arm and the forearm run so far beside the plane through
-    /// axis 1 in which the wrist's centre would be without d4.
+    /// [m] Offsets of the upper arm and the forearm from the plane through axis
+    /// 1 in which the wrist's centre would be without d4.
     double upper_arm_side = 0, forearm_side = 0;
     double base_radius = 0;  ///< [m]; the other housings scale with it
     JointLimits limits;

@@ -21,8 +21,8 @@ struct ArmLayout {
   HandType hand;
   std::shared_ptr<const ArmModel> model;  ///< never null
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  /// Joints that have G where cell.yaml's `home` says, in the configuration of
-  /// the model's ready(): whole tenths of a degree, the same on every machine.
+  /// Joints that have G at cell.yaml's `home`, in the configuration of the
+  /// model's ready(): whole tenths of a degree, the same on every machine.
   Joints home = Joints::Zero();
   Eigen::Isometry3d X_FG = Eigen::Isometry3d::Identity();
   /// Of arms in each other's way the one with the lowest goes first.

@@ -7,8 +7,8 @@
 
 namespace cell {
 
-/// "13.4 N, more than the 12.0 N allowed", with as many digits as tell the two
-/// apart. @pre measured > allowed.
+/// "13.4 N, more than the 12.0 N allowed", with as many digits as the two need
+/// to differ. @pre measured > allowed.
 std::string Exceeded(double measured, double allowed, const std::string& unit);
 
 /// "the gripper of the right arm measured 13.4 N, more than the 12.0 N allowed

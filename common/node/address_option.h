@@ -10,8 +10,8 @@ class App;
 
 namespace cell {
 
-/// Where a cell talks, as a command line names it: --url, and --allow-network
-/// without which nobody speaks to other hosts.
+/// The address of a cell's bus on a command line: --url, and --allow-network,
+/// without which no process sends to other hosts.
 struct AddressOption {
   std::string url = "udpm://239.255.76.67:7667";
   bool may_use_network = false;
@@ -20,7 +20,7 @@ struct AddressOption {
   void AddTo(CLI::App& app);
 
   /// @throws std::invalid_argument that names the option: a url that is none,
-  /// or that speaks to the network although nobody has allowed it.
+  /// or that reaches other hosts without --allow-network.
   LcmAddress Get() const;
 };
 

@@ -18,7 +18,7 @@ fs::path FolderOfThisProgram() {
   return fs::read_symlink("/proc/self/exe").parent_path();
 }
 
-/// Where a deployment may stand; its tasks by their names below `tasks`.
+/// A place where a deployment may be; its tasks are folders below `tasks`.
 struct Place {
   fs::path config;
   fs::path tasks;

@@ -8,7 +8,7 @@
 
 namespace cell {
 
-/// The files of a cell and who takes part in it.
+/// The files of a cell and the list of its services.
 struct CellFiles {
   Deployment deployment;
   Roster roster;

@@ -12,8 +12,8 @@
 namespace cell {
 namespace {
 
-/// Names the limits that somebody has set: " of at least 1". Those of the type
-/// are named only of whole numbers that have no others.
+/// Names the limits that the option has set: " of at least 1". The limits of
+/// the type are named only for whole numbers without other limits.
 template <class T>
 std::string RangeText(T low, T high) {
   const bool has_low = low > std::numeric_limits<T>::lowest();

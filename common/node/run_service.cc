@@ -93,7 +93,7 @@ int ReportFailures(const std::string& name, const std::function<int()>& run) {
   const auto report = [&](const std::exception& e, int exit_code) {
     const std::string reason = PrintableLines(e.what());
     std::cerr << name << ": " << reason << std::endl;
-    TellServiceManagerWhy(reason);
+    ReportReasonToServiceManager(reason);
     return exit_code;
   };
   try {

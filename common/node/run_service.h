@@ -14,8 +14,8 @@ class App;
 
 namespace cell {
 
-/// The exit code of a process whose arguments or files are wrong: starting it
-/// again does not help.
+/// The exit code for wrong arguments or files: starting the process again does
+/// not help.
 inline constexpr int kExitUsage = 2;
 
 /// Builds a service from its files.
@@ -30,8 +30,8 @@ using InstanceMaker = std::function<std::unique_ptr<Service>(
 /// The whole of a service's main(): arguments (--help lists them), roster and
 /// configuration; then the bus over LCM: in lockstep until the clock's last
 /// tick, live (--live), or behind a log that is played (--follow); until SIGINT
-/// or SIGTERM. `add_options` adds what this service alone may be
-/// told.
+/// or SIGTERM.
+/// `add_options` adds the options of this service alone.
 /// @return 0 stopped, 1 failure, 2 usage.
 int RunService(const std::string& name, int argc, char** argv,
                const ServiceMaker& maker,
@@ -40,8 +40,8 @@ int RunService(const std::string& name, int argc, char** argv,
 int RunInstance(const std::string& name, int argc, char** argv,
                 const InstanceMaker& maker);
 
-/// Runs `run` and returns its exit code; says on stderr what `name` failed of:
-/// then kExitUsage for a wrong argument or configuration, 1 for all else.
+/// Runs `run` and returns its exit code. Reports an exception on stderr, after
+/// `name`: kExitUsage for a wrong argument or configuration, 1 for others.
 int ReportFailures(const std::string& name, const std::function<int()>& run);
 
 /// Set by SIGINT and SIGTERM once the handlers are installed.

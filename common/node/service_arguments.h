@@ -12,7 +12,7 @@ class App;
 
 namespace cell {
 
-/// What every process of a cell is told on its command line.
+/// The command line arguments of every process of a cell.
 struct ServiceArguments {
   AddressOption address;
   std::string deploy_dir;

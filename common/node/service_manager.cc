@@ -25,7 +25,7 @@ ProcessHooks ReportToServiceManager() {
   return hooks;
 }
 
-void TellServiceManagerWhy(const std::string& reason) {
+void ReportReasonToServiceManager(const std::string& reason) {
   const std::string line = reason.substr(0, reason.find('\n'));
   sd_notify(0, ("STATUS=" + line).c_str());
 }

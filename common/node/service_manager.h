@@ -11,6 +11,6 @@ namespace cell {
 ProcessHooks ReportToServiceManager();
 
 /// Tells systemd, if it has started this process, why it ends.
-void TellServiceManagerWhy(const std::string& reason);
+void ReportReasonToServiceManager(const std::string& reason);
 
 }  // namespace cell

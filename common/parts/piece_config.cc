@@ -88,13 +88,13 @@ Piece Prism(const Config& config) {
 
 /// The wedge between the planes through the hole's axis at two angles: its
 /// profile over (distance from the axis in its own direction, z) is the same
-/// hexagon in both planes but for the outer edge.
+/// hexagon in both planes except for the outer edge.
 struct WedgeProfile {
   double apothem, outer;
   Range z;
   double chamfer_low, chamfer_high;
 
-  /// Corners in the plane whose inner and outer edges are `inner_scale` and
+  /// Corners in the plane with its inner and outer edges `inner_scale` and
   /// `outer_scale` times as far out, counter-clockwise in (distance, z).
   std::vector<Vector2d> At(double inner_scale, double outer_scale) const {
     std::vector<Vector2d> corners{

@@ -40,13 +40,13 @@ struct GraspableGeometry {
 
 /// free_space: {above_mm}
 /// Nothing is in the argument's column: as wide as the site's `opening`, from
-/// its floor to so far above its mouth.
+/// its floor to `above_mm` above its mouth.
 struct FreeSpaceGeometry {
   std::vector<ClearanceColumn>
       columns;  ///< in S, of each object of the argument's type
 };
 
-/// No geometry tells: the arms report it.
+/// Not decided by geometry: the arms report it.
 struct ReportedGeometry {};
 
 using PredicateGeometry =

@@ -12,7 +12,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// What somebody in the way means, if his pose is only the last one seen.
+// The truth of a predicate while a part is in the way: false only if that part
+// is seen now, not if its pose is only the last one seen.
 Truth FalseIfSeen(Visibility visibility) {
   return visibility == Visibility::kSeen ? Truth::kFalse : Truth::kUnknown;
 }
@@ -50,7 +51,7 @@ State PredicateSensor::Sense(const Scene& scene) const {
   }
   View view{scene, std::vector<bool>(scene.items.size(), false)};
   State state(vocabulary_.num_atoms());
-  // First who is seated: the others depend on it.
+  // Seats first: the other predicates depend on them.
   for (const bool of_seats : {true, false}) {
     for (int index = 0; index < state.num_atoms(); ++index) {
       const GroundAtom atom = vocabulary_.Atom(index);
@@ -169,16 +170,16 @@ std::vector<size_t> PredicateSensor::PartsOver(size_t part,
   const Isometry3d& X_WO = view.scene.items[part].X_WO;
   const double middle =
       (shapes_[part].LowestZ(X_WO) + shapes_[part].HighestZ(X_WO)) / 2;
-  std::vector<size_t> covers;
+  std::vector<size_t> parts;
   for (size_t i = 0; i < shapes_.size(); ++i) {
     const Scene::Item& item = view.scene.items[i];
     if (i == part || item.visibility == Visibility::kMissing ||
         view.IsCarried(i)) {
       continue;
     }
-    if (shapes_[i].LowestZ(item.X_WO) > middle) covers.push_back(i);
+    if (shapes_[i].LowestZ(item.X_WO) > middle) parts.push_back(i);
   }
-  return covers;
+  return parts;
 }
 
 bool PredicateSensor::CoversGrasps(size_t cover, size_t part,

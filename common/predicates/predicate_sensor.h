@@ -14,10 +14,10 @@
 namespace cell {
 
 /// Senses every ground predicate of a domain in a scene, by the geometry that
-/// the domain gives them: a function of that scene alone, nothing is
-/// remembered (section VII-B). A part that a hand carries - held, and not
-/// seated anywhere - is in nobody's way. What depends on a part that is not
-/// tracked is unknown, and so is what arms report.
+/// the domain gives them: a function of that scene alone, without memory
+/// (section VII-B). A part that a hand carries - held, and not seated anywhere
+/// - blocks no site. What depends on a part that is not tracked is unknown, and
+/// so is what arms report.
 class PredicateSensor {
  public:
   /// @pre one of `geometries` for each predicate of the vocabulary.

@@ -9,13 +9,14 @@
 
 namespace cell {
 
-/// What is to be reached: all literals at once; `_` stands for any object.
+/// The literals to be reached, all at once; `_` means any object.
 struct Goal {
   std::string name;
   std::vector<Literal> literals;
 };
 
-/// The symbolic level of a task: domain.yaml.
+/// The symbolic level of a task: domain.yaml. How its actions are recognised is
+/// learned: sec_models.yaml.
 ///
 ///   types: {part: object, bolt: part, hole: object}
 ///   constants: {inspector: object}                # optional
@@ -30,7 +31,6 @@ struct Goal {
 ///       arguments: {X: bolt, Y: hole}
 ///       agents: [person, robot]                   # default: both
 ///       undoes: Remove                            # optional
-///       sec: ...
 ///       rules:
 ///         - agents: [person]                     # default: the action's
 ///           context: [fits(X, Y), Free(Y), not InHole(X, _)]
@@ -51,7 +51,7 @@ struct Goal {
 ///     done: [InHole(_, a.h)]
 class Domain {
  public:
-  /// The blocks `geometry` and `sec` are left unread: LoadTask() reads them.
+  /// The blocks `geometry` are left unread: LoadTask() reads them.
   /// @throws ConfigError naming file:key.
   static Domain FromConfig(const Config& config, const PartTable& parts);
 
@@ -86,7 +86,7 @@ class Domain {
   RequestWords requests_;
 };
 
-/// Reads an action as it stands in domain.yaml, but for `undoes` and `sec`.
+/// Reads an action of domain.yaml, without `undoes` and `sec`.
 /// @throws ConfigError naming file:key.
 Action LoadAction(const std::string& name, const Config& config,
                   const Vocabulary& vocabulary);

@@ -207,8 +207,8 @@ NdrRule WithAddition(NdrRule rule, const Addition& addition,
   return rule;
 }
 
-/// The rules as they stand for the person, and for the robot each of them with
-/// each addition.
+/// The rules themselves for the person; for the robot each of them with each
+/// addition.
 void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
                    Action& action) {
   if (!action.MayBeDoneBy(Agent::kRobot)) {

@@ -70,8 +70,8 @@ bool MayHold(std::span<const Literal> literals, const Binding& binding,
 bool MustHold(const Literal& literal, const Binding& binding,
               const State& state, const Vocabulary& vocabulary);
 
-/// The ground atoms that the predicate literal speaks of, one unless it has
-/// `_`; none if an object is of a wrong type.
+/// The ground atoms of the predicate literal, one unless it has `_`; none if an
+/// object is of a wrong type.
 std::vector<int> Groundings(const Literal& literal, const Binding& binding,
                             const Vocabulary& vocabulary);
 

@@ -11,9 +11,9 @@
 
 namespace cell {
 
-/// How a person is asked to do something with the hands: the section `requests`
-/// of domain.yaml. {0}, {1} ... stand for the objects, in the order of the
-/// arguments.
+/// The texts that ask a person to do something with the hands: the section
+/// `requests` of domain.yaml. {0}, {1} ... stand for the objects, in the order
+/// of the arguments.
 ///
 ///   requests:                                     # optional, as is each entry
 ///     make_true: {Free: "take out of {0} what is in it"}

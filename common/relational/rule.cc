@@ -50,17 +50,17 @@ std::vector<ApplicableRule> ApplicableRules(const Action& action,
                                             const State& state,
                                             const Vocabulary& vocabulary,
                                             Agent agent) {
-  std::vector<ApplicableRule> covers;
+  std::vector<ApplicableRule> applicable;
   for (size_t i = 0; i < action.rules.size(); ++i) {
     const NdrRule& rule = action.rules[i];
     if (!rule.IsFor(agent)) continue;
     Binding binding = arguments;
     if (BindReferences(rule, state, vocabulary, binding) &&
         MayHold(rule.context, binding, state, vocabulary)) {
-      covers.push_back({static_cast<int>(i), std::move(binding)});
+      applicable.push_back({static_cast<int>(i), std::move(binding)});
     }
   }
-  return covers;
+  return applicable;
 }
 
 State Apply(const Outcome& outcome, const Binding& binding, const State& before,

@@ -11,7 +11,7 @@
 
 namespace cell {
 
-/// Who can do an action.
+/// The agents that can do an action.
 enum class Agent { kPerson, kRobot };
 
 /// Literals that become true. With `each`, for every binding of these
@@ -41,7 +41,7 @@ struct DeicticReference {
 /// the paper's Fig. 10). Its variables are the action's arguments, then those
 /// of the references, in their order, then those of an effect's `each`.
 struct NdrRule {
-  std::vector<Agent> agents;  ///< for whom it holds
+  std::vector<Agent> agents;  ///< the agents that it holds for
   std::vector<DeicticReference> references;
   std::vector<Literal> context;
   std::vector<Outcome> outcomes;
@@ -58,7 +58,7 @@ struct Action {
   std::string name;
   std::vector<Variable> arguments;
   std::vector<Agent> agents;
-  std::optional<int> undoes;  ///< the action of which it is the reverse
+  std::optional<int> undoes;  ///< the action that it reverses
   std::vector<NdrRule> rules;
   std::optional<SkillBinding> skill;  ///< how an arm does it
 
@@ -79,10 +79,10 @@ struct ApplicableRule {
   Binding binding;
 };
 
-/// All rules of `action` for `agent` that may cover `state`, of which some
-/// atoms may be unknown (see MayHold). In a state that is known throughout, the
-/// action does what the rule says if there is exactly one; if not, the default
-/// rule applies: nothing changes.
+/// All rules of `action` for `agent` that may cover `state`, where some atoms
+/// may be unknown (see MayHold). In a state without unknown atoms the rule
+/// applies if it is the only one; if none or several may apply, the default
+/// rule does: nothing changes.
 std::vector<ApplicableRule> ApplicableRules(const Action& action,
                                             const Binding& arguments,
                                             const State& state,

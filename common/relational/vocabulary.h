@@ -12,7 +12,7 @@
 
 namespace cell {
 
-/// A thing that literals speak of: a part, a site of a part, or a constant.
+/// An argument of literals: a part, a site of a part, or a constant.
 struct Object {
   std::string name;
   int type;
@@ -20,7 +20,7 @@ struct Object {
 
 /// A relation that the world may change (section V-C).
 struct Predicate {
-  /// What an arm says of itself, where no geometry could tell.
+  /// What an arm reports of itself, since geometry cannot decide it.
   enum class Report {
     kHeld,      ///< (part, arm): it is in the arm's gripper
     kReachable  ///< (arm, part): the arm could take it, or holds it

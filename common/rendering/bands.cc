@@ -9,7 +9,7 @@ namespace cell {
 
 void ForEachBand(int num_rows, int band, int num_threads,
                  const std::function<void(int first, int last)>& work) {
-  std::atomic<int> next = 0;  // the first row that nobody has taken
+  std::atomic<int> next = 0;  // the first row not taken yet
   const auto take_bands = [&] {
     for (int first = next.fetch_add(band); first < num_rows;
          first = next.fetch_add(band)) {

@@ -10,7 +10,7 @@ namespace cell {
 
 /// All that is seen in a cell: the parts, the boxes of the hands
 /// ("<hand>.<box>", each with its middle in its frame), the bodies of the arms
-/// (BodyPartsOf), and, where they stand for good, "table" and "pedestal".
+/// (BodyPartsOf), and, where these are fixed, "table" and "pedestal".
 std::vector<RenderBody> BodiesOf(const PartTable& parts,
                                  const CellLayout& layout);
 

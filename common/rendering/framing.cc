@@ -8,9 +8,9 @@
 namespace cell {
 namespace {
 
-/// Where along an axis of the image the camera stands in the middle, and how
-/// far ahead it may be: of the points at (x, z), all within |x - at| <= slope
-/// (z - ahead).
+/// The position of the camera along an axis of the image, and how far ahead it
+/// may be: of the points at (x, z), all are within |x - at| <= slope (z -
+/// ahead).
 struct Fit {
   double at = 0;
   double ahead = 0;

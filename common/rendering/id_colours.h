@@ -7,9 +7,9 @@
 
 namespace cell {
 
-/// So many colours of which each two look as different as can be, and none is
-/// like black: one after the other the one that is furthest from all before it
-/// (CIE 1976 L*a*b*, of sRGB). The first ones are the same for any number.
+/// `num` colours that look as different as possible from each other and from
+/// black: each is the one that is furthest from all before it (CIE 1976 L*a*b*,
+/// of sRGB). The first ones are the same for any number.
 std::vector<std::array<uint8_t, 3>> DistinctColours(size_t num);
 
 /// How different two colours look: their distance in L*a*b*. Of 2 a person

@@ -23,7 +23,7 @@ struct RenderImage {
   }
   /// Of each body that is seen.
   std::map<int32_t, int> NumPixels() const;
-  /// Every body in a colour of its own, by its index; black where nobody is.
+  /// Every body in a colour of its own, by its index; black elsewhere.
   RgbImage IdPicture() const;
 };
 

@@ -20,10 +20,10 @@ class RenderScene {
 
   const std::vector<RenderBody>& bodies() const { return bodies_; }
 
-  /// The bodies where they stand in a camera's frame.
+  /// The bodies at their poses in a camera's frame.
   class Posed;
-  /// Bodies of which the map says nothing stand where they always do, or are
-  /// not there. Names that are no body's are passed over.
+  /// A body that is not in the map is at its fixed pose, or absent if it has
+  /// none. Unknown names are ignored.
   std::shared_ptr<const Posed> Pose(
       const std::map<std::string, Eigen::Isometry3d>& X_WO,
       const Eigen::Isometry3d& X_WC) const;

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Rays of a packet: a square of pixels, whose rays meet the same things.
+// Rays of a packet: a square of pixels, since their rays meet the same bodies.
 constexpr int kSide = 4;
 constexpr int kWidth = kSide * kSide;
 // Rows that a thread takes at a time: whole packets, the same for any number.
@@ -36,7 +36,7 @@ struct Sample {
 
 using Samples = std::array<Sample, kWidth>;
 
-/// From the camera through the square whose upper left is at (x, y) [px], row
+/// From the camera through the square with its upper left at (x, y) [px], row
 /// by row.
 RTCRayHit16 RaysThrough(const Camera& camera, double x, double y) {
   RTCRayHit16 rays;
@@ -76,8 +76,8 @@ class PacketRenderer {
     add({0.80, 0.35, 0.45}, 0.25F);   // the window on the other side
   }
 
-  /// Samples of the square whose upper left is at (x, y), the first columns and
-  /// rows of it.
+  /// Samples of the square with its upper left at (x, y): its first columns and
+  /// rows.
   Samples Look(double x, double y, int num_columns, int num_rows) const {
     alignas(64) int valid[kWidth];
     for (int i = 0; i < kWidth; ++i) {

@@ -12,7 +12,7 @@
 namespace cell {
 
 struct RenderParams {
-  /// The colour of a pixel is the mean of so many squared samples.
+  /// The colour of a pixel is the mean of this number squared of samples.
   int samples_per_side = 1;
   bool has_shadows = true;
   int num_threads = 1;  ///< 0: one a core; the image is the same for any

@@ -1,5 +1,8 @@
 #include "common/scene/key_frame.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "common/geometry/pose.h"
 
 namespace cell {
@@ -26,6 +29,53 @@ std::optional<TouchGraph> GraphFromMessage(const key_frame_t& message,
   return graph;
 }
 
+bool HasName(const std::string& channel) {
+  constexpr size_t kMaxLength = 63;  // of LCM
+  return !channel.empty() && channel.size() <= kMaxLength;
+}
+
+// False unless they are of pairs that touch, in order.
+bool RelativePosesFromMessage(const key_frame_t& message, KeyFrame& frame) {
+  for (const relative_pose_t& relative : message.relative_poses) {
+    pose_t pose{};
+    std::ranges::copy(relative.position, pose.position);
+    std::ranges::copy(relative.quat_wxyz, pose.quat_wxyz);
+    const ObjectPair pair(relative.first, relative.second);
+    const auto X_AB = PoseFromMessage(pose);
+    auto& poses = frame.relative_poses;
+    const bool is_next = poses.empty() || poses.rbegin()->first < pair;
+    if (!X_AB || !is_next || pair.second <= pair.first ||
+        !Touch(frame.relations, pair.first, pair.second)) {
+      return false;
+    }
+    poses.emplace_hint(poses.end(), pair, *X_AB);
+  }
+  return true;
+}
+
+std::optional<LogSegment> SegmentFromMessage(const log_segment_t& message,
+                                             int64_t end_utime) {
+  if (message.end_utime != end_utime || message.begin_utime > end_utime ||
+      message.begin_utime < 0 ||
+      !std::ranges::all_of(message.channels, HasName) ||
+      std::ranges::adjacent_find(message.channels, std::greater_equal<>()) !=
+          message.channels.end()) {
+    return std::nullopt;
+  }
+  return LogSegment{message.begin_utime, message.channels};
+}
+
+relative_pose_t RelativePoseToMessage(const ObjectPair& pair,
+                                      const Eigen::Isometry3d& X_AB) {
+  relative_pose_t relative{};
+  relative.first = pair.first;
+  relative.second = pair.second;
+  const pose_t pose = PoseToMessage(X_AB);
+  std::ranges::copy(pose.position, relative.position);
+  std::ranges::copy(pose.quat_wxyz, relative.quat_wxyz);
+  return relative;
+}
+
 }  // namespace
 
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
@@ -42,6 +92,11 @@ std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
       return std::nullopt;
     frame.poses.emplace_hint(frame.poses.end(), body.name, *X_WO);
   }
+  auto segment = SegmentFromMessage(message.segment, frame.utime);
+  if (!segment || !RelativePosesFromMessage(message, frame)) {
+    return std::nullopt;
+  }
+  frame.segment = *std::move(segment);
   return frame;
 }
 
@@ -62,6 +117,16 @@ key_frame_t KeyFrameToMessage(const KeyFrame& frame) {
     body.pose_world_body = PoseToMessage(X_WO);
   }
   message.num_poses = static_cast<int32_t>(message.poses.size());
+  for (const auto& [pair, X_AB] : frame.relative_poses) {
+    message.relative_poses.push_back(RelativePoseToMessage(pair, X_AB));
+  }
+  message.num_relative_poses =
+      static_cast<int32_t>(message.relative_poses.size());
+  message.segment.begin_utime = frame.segment.begin_utime;
+  message.segment.end_utime = frame.utime;
+  message.segment.channels = frame.segment.channels;
+  message.segment.num_channels =
+      static_cast<int32_t>(frame.segment.channels.size());
   return message;
 }
 

@@ -5,12 +5,20 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cell/key_frame_t.hpp"
 #include "common/scene/relation.h"
 #include "common/scene/scene_objects.h"
 
 namespace cell {
+
+/// Where in the log the trajectory that led to a key frame is, and the forces
+/// if a robot acted.
+struct LogSegment {
+  int64_t begin_utime = 0;            ///< [us] of the previous key frame
+  std::vector<std::string> channels;  ///< sorted
+};
 
 /// A column of a semantic event chain, enriched with poses (section V-B).
 struct KeyFrame {
@@ -19,10 +27,15 @@ struct KeyFrame {
   TouchGraph relations;  ///< all pairs of the scene's objects
   /// X_WO of the parts that had a track when it was confirmed.
   std::map<std::string, Eigen::Isometry3d> poses;
+  /// X_AB of the pairs (A, B) that touch or overlap and had tracks (section
+  /// II-C). The table's frame is W; a hand's is at its centroid, with W's axes.
+  std::map<ObjectPair, Eigen::Isometry3d> relative_poses = {};
+  LogSegment segment = {};  ///< ends with this key frame
 };
 
 /// Nothing unless the message has all pairs of the scene's objects, each with a
-/// known relation, and poses of parts, both in order.
+/// known relation, poses of parts, and relative poses of pairs that touch, all
+/// in order, and a segment that ends with it.
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
                                             const SceneObjects& scene_objects);
 key_frame_t KeyFrameToMessage(const KeyFrame& frame);

@@ -14,7 +14,7 @@ namespace cell {
 enum class Visibility {
   kSeen,    ///< tracked
   kFrozen,  ///< hidden; its pose is the last one seen
-  kMissing  ///< nobody knows where it is
+  kMissing  ///< its pose is not known
 };
 
 /// What is known of the parts at an instant, by index in the part table.
@@ -28,11 +28,11 @@ struct Scene {
   std::vector<Item> items;
 };
 
-/// The scene at a key frame, of which each part that has a pose is taken as
-/// seen.
+/// The scene at a key frame.
+/// Each part that has a pose counts as seen.
 Scene SceneOf(const KeyFrame& frame, const SceneObjects& scene_objects);
 
-/// The same, where the tracks say who is seen: without a track a part is
+/// The same, but a part counts as seen if its track does; without a track it is
 /// missing.
 Scene SceneOf(const KeyFrame& frame, const Tracks& tracks,
               const SceneObjects& scene_objects);

@@ -2,8 +2,12 @@
 
 #include <map>
 
+#include "common/sec/derivative_similarity.h"
+#include "common/sec/joint_similarity.h"
+#include "common/sec/paper_similarity.h"
 #include "common/sec/same_pair_similarity.h"
 #include "common/sec/same_row_similarity.h"
+#include "common/sec/typed_similarity.h"
 #include "common/text/nearest.h"
 
 namespace cell {
@@ -18,8 +22,12 @@ std::unique_ptr<ChainSimilarity> Make() {
 
 const std::map<std::string, Maker>& Makers() {
   static const std::map<std::string, Maker> makers = {
+      {"derivative", Make<DerivativeSimilarity>},
+      {"joint", Make<JointSimilarity>},
+      {"paper", Make<PaperSimilarity>},
       {"same_pair", Make<SamePairSimilarity>},
-      {"same_row", Make<SameRowSimilarity>}};
+      {"same_row", Make<SameRowSimilarity>},
+      {"typed", Make<TypedSimilarity>}};
   return makers;
 }
 

@@ -11,7 +11,7 @@ namespace cell {
 /// Values by the names of a skill's arguments.
 using SkillArguments = std::map<std::string, std::string>;
 
-/// Nothing if a name is empty or stands twice, or there are too many.
+/// Returns nullopt if a name is empty or occurs twice, or if too many.
 std::optional<SkillArguments> ArgumentsOf(const skill_request_t& request);
 /// Empty if it has none of that name.
 std::string ArgumentOf(const skill_request_t& request, const std::string& name);

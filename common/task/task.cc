@@ -1,24 +1,21 @@
 #include "common/task/task.h"
 
+#include "common/actions/sec_models.h"
 #include "common/task/task_consistency.h"
 
 namespace cell {
 namespace {
 
-std::vector<ActionModel> ReadActions(const Config& domain_config,
+std::vector<ActionModel> ReadActions(const Config& sec_config,
                                      const Domain& domain,
                                      const PartTable& parts) {
   std::vector<ActionModel> models;
   for (const Action& action : domain.actions()) {
     ActionModel& model = models.emplace_back();
     model.action = action;
-    const Config config = domain_config["actions"][action.name];
-    if (config.Has("sec")) {
-      model.sec = SecConditions::FromConfig(config["sec"], action.arguments,
-                                            domain.vocabulary(), parts);
-    }
     if (action.skill) model.skill_settings = SettingsOf(*action.skill);
   }
+  ReadSecModels(sec_config, {domain.vocabulary(), parts}, &models);
   return models;
 }
 
@@ -32,6 +29,7 @@ std::shared_ptr<const PredicateSensor> Task::MakeSensor() const {
 Task LoadTask(const Deployment& deployment) {
   const Config parts_config = deployment.OfTask("parts.yaml");
   const Config domain_config = deployment.OfTask("domain.yaml");
+  const Config sec_config = deployment.OfTask(kSecModelsFile);
   const PartTable parts = PartTable::FromConfig(parts_config);
   const CellLayout layout =
       CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
@@ -41,7 +39,7 @@ Task LoadTask(const Deployment& deployment) {
             SceneObjects(parts, layout),
             domain,
             ReadGeometries(domain_config, domain.vocabulary(), parts),
-            ReadActions(domain_config, domain, parts)};
+            ReadActions(sec_config, domain, parts)};
   domain_config.Finish();
   CheckGrasps(parts_config, parts, layout);
   CheckActions(domain_config, domain, parts, layout);

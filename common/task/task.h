@@ -13,9 +13,9 @@
 
 namespace cell {
 
-/// The task that a cell works on: its parts.yaml, cell.yaml and domain.yaml,
-/// each read once, strictly, and held against the others. What only one
-/// service reads (skills.yaml, demonstrators.yaml) it reads itself.
+/// The task that a cell works on: its parts.yaml, cell.yaml, domain.yaml and
+/// sec_models.yaml, each read once, strictly, and held against the others. What
+/// only one service reads (skills.yaml, demonstrators.yaml) it reads itself.
 struct Task {
   PartTable parts;
   CellLayout layout;

@@ -23,7 +23,7 @@ bool HasHandFor(const Grasp& grasp, const std::string& grip,
   });
 }
 
-/// An insertion that no arm can do, or whose part fits no such site.
+/// Rejects an insertion that no arm can do, or of a part that does not fit.
 void CheckSkill(const Config& config, const GroundSkill& skill,
                 const Domain& domain, const PartTable& parts,
                 const CellLayout& layout) {

@@ -19,7 +19,7 @@ void CheckGrasps(const Config& parts_config, const PartTable& parts,
 void CheckActions(const Config& domain_config, const Domain& domain,
                   const PartTable& parts, const CellLayout& layout);
 
-/// What arms report of themselves is said by the arms that there are.
+/// Checks that the predicates which arms report name arms of the cell.
 void CheckReports(const Config& domain_config, const Domain& domain,
                   const CellLayout& layout);
 

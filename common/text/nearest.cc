@@ -32,7 +32,7 @@ size_t NumChanges(std::string_view a, std::string_view b) {
 
 std::string NearestOf(std::string_view name,
                       const std::vector<std::string>& names) {
-  constexpr size_t kMaxLength = 100;  // of what somebody may type
+  constexpr size_t kMaxLength = 100;  // of a mistyped name
   if (name.size() > kMaxLength) return {};
   std::string nearest;
   size_t fewest = std::max<size_t>(1, name.size() / 3) + 1;

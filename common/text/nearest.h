@@ -8,7 +8,7 @@
 
 namespace cell {
 
-/// What `name_of` says of each, in their order.
+/// The names that `name_of` returns, in the order of the range.
 template <std::ranges::input_range Range, class NameOf = std::identity>
 std::vector<std::string> NamesIn(const Range& range, NameOf name_of = {}) {
   std::vector<std::string> names;

@@ -16,8 +16,8 @@ std::string Printable(std::string_view text);
 /// The same of text that we have laid out: its '\n' and '\t' stay.
 std::string PrintableLines(std::string_view text);
 
-/// Printable(text), at most `max_columns` code points, the last of which is
-/// "~" if some are left out.
+/// Printable(text), at most `max_columns` code points; the last one is "~" if
+/// some are left out.
 std::string PrintableName(std::string_view text, size_t max_columns);
 
 }  // namespace cell

@@ -10,7 +10,7 @@
 
 namespace cell {
 
-bool PrintableBuffer::PassOn(size_t size) {
+bool PrintableBuffer::Forward(size_t size) {
   const std::string text =
       PrintableLines(std::string_view(pending_).substr(0, size));
   pending_.erase(0, size);
@@ -23,7 +23,7 @@ std::streamsize PrintableBuffer::xsputn(const char* text,
   pending_.append(text, static_cast<size_t>(size));
   // A character that is written in parts must not be cut; a line is whole.
   const size_t end = pending_.rfind('\n');
-  if (end != std::string::npos && !PassOn(end + 1)) return 0;
+  if (end != std::string::npos && !Forward(end + 1)) return 0;
   return size;
 }
 
@@ -34,7 +34,7 @@ PrintableBuffer::int_type PrintableBuffer::overflow(int_type c) {
 }
 
 int PrintableBuffer::sync() {
-  const bool is_passed = PassOn(pending_.size());
+  const bool is_passed = Forward(pending_.size());
   return target_->pubsync() == 0 && is_passed ? 0 : -1;
 }
 

@@ -6,8 +6,8 @@
 
 namespace cell {
 
-/// Passes PrintableLines() of what is written on to another buffer, of which it
-/// tells every failure. It holds back at most the line that is not complete.
+/// Forwards PrintableLines() of what is written to another buffer, and reports
+/// every failure of that one. Keeps back at most one incomplete line.
 class PrintableBuffer : public std::streambuf {
  public:
   /// `target` must outlive it.
@@ -20,15 +20,15 @@ class PrintableBuffer : public std::streambuf {
   int sync() override;
 
  private:
-  bool PassOn(size_t size);
+  bool Forward(size_t size);
 
   std::streambuf* target_;
   std::string pending_;
 };
 
-/// While it lives, std::cout and std::cerr go through a PrintableBuffer each:
+/// While it exists, std::cout and std::cerr go through a PrintableBuffer each:
 /// no text that a program prints, wherever it came from, commands a terminal.
-/// One that lays out lines of foreign text still calls Printable(), since a
+/// Code that lays out lines of foreign text still calls Printable(), since a
 /// line feed passes here. For main() alone.
 class PrintableOutput {
  public:

@@ -21,7 +21,7 @@ CameraSet::CameraSet(Bus& bus, Params params,
 }
 
 void CameraSet::OnPeriod() {
-  const auto frame = device_->Take();
+  const auto frame = device_->Capture();
   if (!frame) return;
   const auto message =
       FrameToMessage(*frame, params_.max_bytes, params_.jpeg_quality);

@@ -14,9 +14,9 @@ class FrameDevice {
   FrameDevice& operator=(const FrameDevice&) = delete;
   virtual ~FrameDevice() = default;
 
-  /// What it sees as of now; nothing if it has seen nothing new.
-  /// @throws std::runtime_error that says what is broken.
-  virtual std::optional<RgbdFrame> Take() = 0;
+  /// The newest frame; nullopt if there is no new one. @throws
+  /// std::runtime_error that names what is broken.
+  virtual std::optional<RgbdFrame> Capture() = 0;
 };
 
 }  // namespace cell::camera_set

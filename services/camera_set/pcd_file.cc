@@ -17,7 +17,7 @@
 namespace cell::camera_set {
 namespace {
 
-// No camera of depth measures so far [m].
+// Beyond the range of any depth camera [m].
 constexpr double kFarthest = 100;
 
 pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
@@ -35,7 +35,7 @@ pcl::PointCloud<pcl::PointXYZRGB> Load(const std::filesystem::path& path) {
 }  // namespace
 
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit) {
-  // It would speak to the person by itself.
+  // PCL would print messages of its own.
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   const PcdHeader header = CheckPcd(path);
   const auto cloud = Load(path);

@@ -20,11 +20,11 @@ struct PcdImage {
   Lost lost;
 };
 
-/// Reads a PCD file (ascii, binary or compressed) whose points x, y, z [m] are
-/// in the camera's frame, one for each pixel, with their colour, rgb or rgba.
-/// Depth is z in counts of `depth_unit` [m]; 0 for points that are not finite.
-/// @throws std::runtime_error naming the file if it is missing or not as
-/// CheckPcd() wants it, or if all that it measures is too far: another unit.
+/// Reads a PCD file (ascii, binary or compressed) with points x, y, z [m] in
+/// the camera's frame, one for each pixel, and their colour, rgb or rgba. Depth
+/// is z in counts of `depth_unit` [m]; 0 for points that are not finite.
+/// @throws std::runtime_error naming the file if it is missing, if CheckPcd()
+/// refuses it, or if all points are too far: probably in another unit.
 PcdImage ReadPcd(const std::filesystem::path& path, double depth_unit);
 
 }  // namespace cell::camera_set

@@ -7,7 +7,7 @@
 
 namespace cell::camera_set {
 
-/// What a PCD file says of itself.
+/// The header of a PCD file.
 struct PcdHeader {
   enum class Data { kAscii, kBinary, kCompressed };
   struct Field {
@@ -27,12 +27,12 @@ struct PcdHeader {
   int64_t PointSize() const;  ///< [bytes]
 };
 
-/// Reads the header and holds every claim of it against the file: PCL's reader
-/// makes room for what a header announces before it can be asked, and reads on
-/// where a value is none.
+/// Reads the header and checks every entry against the file: PCL's reader
+/// allocates what a header announces without a check, and skips values that are
+/// no numbers.
 /// @throws std::runtime_error naming the file, and what would be right, unless
 /// it is an organised cloud of at most kMaxPixels points with x, y, z (F 4) and
-/// colour (rgb or rgba, 4 bytes), whose data is all there and nothing else.
+/// colour (rgb or rgba, 4 bytes), with complete data and nothing else.
 PcdHeader CheckPcd(const std::filesystem::path& path);
 
 }  // namespace cell::camera_set

@@ -16,7 +16,7 @@ RecordedDevice::RecordedDevice(Bus& bus, const Params& params)
       kTickChannel, [](const tick_t&) {}, 1);
 }
 
-std::optional<RgbdFrame> RecordedDevice::Take() {
+std::optional<RgbdFrame> RecordedDevice::Capture() {
   auto frame = frames_.Next();
   if (!frame) return std::nullopt;
   if (!frames_.remark().empty()) PublishRemark();

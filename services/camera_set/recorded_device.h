@@ -9,8 +9,8 @@
 
 namespace cell::camera_set {
 
-/// A folder of recorded frames -> pictures, as if they were taken now. What in
-/// a file yields no measurement is said once, as an ALERT.
+/// A folder of recorded frames -> pictures, as if they were taken now. Content
+/// of a file that yields no measurement is reported once, as an ALERT.
 class RecordedDevice final : public FrameDevice {
  public:
   struct Params {
@@ -23,7 +23,7 @@ class RecordedDevice final : public FrameDevice {
   /// `bus` must outlive this object. @throws as RecordedFrames does.
   RecordedDevice(Bus& bus, const Params& params);
 
-  std::optional<RgbdFrame> Take() override;
+  std::optional<RgbdFrame> Capture() override;
 
  private:
   void PublishRemark();

@@ -25,8 +25,8 @@ bool IsDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The name with each number told by its length first: in the order of these,
-/// 2 comes before 10.
+/// A key that orders names by the values of their numbers (2 before 10): each
+/// number is preceded by its length.
 std::string OrderKey(const std::string& name) {
   std::string key;
   for (size_t i = 0; i < name.size();) {

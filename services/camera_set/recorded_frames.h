@@ -35,8 +35,8 @@ class RecordedFrames {
 
   size_t size() const { return names_.size(); }
 
-  /// What of the last frame yields no measurement though the file may mean it,
-  /// with file and counts; empty if nothing, or if it was said before.
+  /// What in the last frame yields no measurement though it may be meant as
+  /// one, with file and counts; empty if nothing, or if reported before.
   const std::string& remark() const { return remark_; }
 
  private:

@@ -18,10 +18,10 @@ RenderedDevice::RenderedDevice(Bus& bus, std::vector<RenderBody> bodies,
       1);
 }
 
-std::optional<RgbdFrame> RenderedDevice::Take() {
+std::optional<RgbdFrame> RenderedDevice::Capture() {
   const auto truth = std::exchange(truth_, std::nullopt);
   if (!truth) return std::nullopt;
-  return view_.Take(*truth);
+  return view_.Capture(*truth);
 }
 
 }  // namespace cell::camera_set

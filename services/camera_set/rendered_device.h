@@ -15,7 +15,7 @@ class RenderedDevice final : public FrameDevice {
   RenderedDevice(Bus& bus, std::vector<RenderBody> bodies,
                  RenderedView::Params params);
 
-  std::optional<RgbdFrame> Take() override;
+  std::optional<RgbdFrame> Capture() override;
 
  private:
   RenderedView view_;

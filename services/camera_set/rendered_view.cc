@@ -7,7 +7,7 @@
 
 namespace cell::camera_set {
 
-RgbdFrame RenderedView::Take(const TruthPoses& truth) const {
+RgbdFrame RenderedView::Capture(const TruthPoses& truth) const {
   RenderParams rendering;
   rendering.has_shadows = params_.has_shadows;
   rendering.num_threads = params_.num_threads;

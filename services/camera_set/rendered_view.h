@@ -25,7 +25,7 @@ class RenderedView {
   RenderedView(std::vector<RenderBody> bodies, Params params)
       : scene_(std::move(bodies)), params_(std::move(params)) {}
 
-  RgbdFrame Take(const TruthPoses& truth) const;
+  RgbdFrame Capture(const TruthPoses& truth) const;
 
  private:
   RenderScene scene_;

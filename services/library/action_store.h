@@ -18,15 +18,15 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a StoreError says of a file that another process has locked.
+/// The message of a StoreError for a file that another process has locked.
 inline constexpr char kOwnedByAnother[] =
     "another process owns it; end that one first (a cell that runs owns its "
     "library)";
 
 /// Keeps action records; ids ascend in the order of storing. A record of a
-/// higher version replaces those of its name. What was stored in a run carries
-/// its tick, so that a service that comes back can forget what nobody was told
-/// of, and know again what that had replaced. Every call may throw StoreError.
+/// higher version replaces those of its name. Records stored in a run carry its
+/// tick, so that a restarted service can remove those not yet answered, and
+/// restore those that they had replaced. Every call may throw StoreError.
 class ActionStore {
  public:
   ActionStore() = default;

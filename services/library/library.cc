@@ -48,7 +48,7 @@ bool Library::OnTick(std::span<const uint8_t> bytes) {
       std::find_if(tick->joined.begin(), tick->joined.end(),
                    [](const joined_t& joined) { return joined.name == kName; });
   if (self == tick->joined.end()) return true;
-  // A life that ended in tick 0 had heard nothing yet.
+  // An incarnation that ended in tick 0 had received nothing yet.
   if (self->death_tick > 0) {
     store_->RollBackTo(self->death_tick);
   } else {
@@ -112,7 +112,7 @@ void Library::PublishAll(int64_t utime) {
 
 std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
                                      std::shared_ptr<ActionStore> store) {
-  // In a live cell nothing is taken back: what is stored was told.
+  // In a live cell nothing is removed: what is stored has been answered.
   if (deployment.is_live) store->BeginRun();
   RecordCheck check = RecordCheck::FromTask(deployment);
   if (const auto why = check.WhyOfAnotherTask(*store)) {

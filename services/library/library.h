@@ -16,13 +16,13 @@
 namespace cell::library {
 
 /// STORE_REQUEST -> STORED, once the store keeps it, and ACTION_RECORD. The
-/// latest records of all actions at an episode's start, when this life joins
-/// one that runs, and on LIBRARY_REQUEST. What the store holds when a run
-/// begins is an input of this service.
+/// latest records of all actions at an episode's start, when this incarnation
+/// joins a running one, and on LIBRARY_REQUEST. The content of the store when a
+/// run begins is an input of this service.
 ///
-/// A life that follows a death forgets what was stored in ticks that the dead
-/// one did not answer: nobody was told of it, and in one process it would not
-/// have happened.
+/// After a death the next incarnation removes what was stored in ticks that the
+/// dead one did not answer: no service received an answer, and in one process
+/// it would not have happened.
 class Library final : public Service {
  public:
   /// `bus` must outlive this object.
@@ -43,7 +43,7 @@ class Library final : public Service {
   bool has_joined_ = false;
 };
 
-/// `store` outlives the lives that share it.
+/// `store` outlives the incarnations that share it.
 std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
                                      std::shared_ptr<ActionStore> store);
 

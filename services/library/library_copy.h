@@ -5,8 +5,8 @@
 namespace cell::library {
 
 /// A copy of a library's file, with what its journal (-wal) holds, in a
-/// temporary folder of its own as long as this object lives: SQLite reads no
-/// file beside which it cannot write. Storage adapter.
+/// temporary folder of its own as long as this object exists: SQLite reads no
+/// file in a folder where it cannot write. Storage adapter.
 class LibraryCopy {
  public:
   /// True if this user may write the file and the folder that it is in.

@@ -4,7 +4,7 @@
 
 namespace cell::library {
 
-/// Keeps the actions as long as it lives: for replay, evaluations and tests.
+/// Keeps the actions in memory: for replay, evaluations and tests.
 class MemoryActionStore final : public ActionStore {
  public:
   /// Holds these from before the run.

@@ -13,9 +13,9 @@ class Database;
 
 namespace cell::library {
 
-/// Keeps the actions in an SQLite file, of which this process is the sole owner
-/// as long as it lives. Storage adapter. A transaction is on the disk when it
-/// returns (WAL, full sync): a death at any moment loses none of them.
+/// Keeps the actions in an SQLite file, which this process owns exclusively as
+/// long as the object exists. Storage adapter. A transaction is on the disk
+/// when it returns (WAL, full sync): a death at any moment loses none of them.
 class SqliteActionStore final : public ActionStore {
  public:
   enum class Mode {

@@ -10,7 +10,7 @@
 namespace cell::library {
 namespace {
 
-// "CELL": tells a library's file from other programs'.
+// "CELL": distinguishes a library's file from other programs'.
 constexpr int kApplicationId = 0x43454c4c;
 
 constexpr std::array kSteps = {

@@ -9,7 +9,7 @@ MotionPlanner::MotionPlanner(Bus& bus, MotionSearch::Params params)
     : bus_(bus), alerts_(bus), search_(std::move(params)) {
   bus.Subscribe<motion_request_t>(
       "MOTION_REQUEST", [this](const auto& m) { return OnRequest(m); });
-  // Wakes it now and then, so that its STATUS tells that it lives.
+  // Activates it now and then, so that its STATUS shows that it runs.
   bus.Subscribe<operating_mode_t>(
       "MODE", [](const operating_mode_t&) {}, 1);
   bus.Every(1, 0, [this] { Answer(); });

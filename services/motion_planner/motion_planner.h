@@ -15,9 +15,9 @@
 namespace cell::motion_planner {
 
 /// MOTION_REQUEST -> MOTION_PLAN. Keeps nothing: an answer is a function of its
-/// request. Takes longer than a tick (its latency), so that no arm's tick is
-/// late for it. Of what comes within that time it answers the newest way and
-/// the newest reach of each arm: others nobody waits for any more.
+/// request. May take longer than a tick (its latency) without delaying an arm's
+/// tick. Of the requests within that time it answers the newest way and the
+/// newest reach of each arm: the arm no longer waits for older ones.
 class MotionPlanner final : public Service {
  public:
   /// `bus` must outlive this object.

@@ -9,8 +9,8 @@
 namespace cell::motion_planner {
 
 /// Finds where an arm can go, in the scene that a request describes (section
-/// VIII-A); if only other arms are in the way, as if they were at home: the arm
-/// itself sees when to wait for them. Pure.
+/// VIII-A); if only other arms are in the way, with these at home: the arm
+/// itself decides when to wait for them. Pure.
 class MotionSearch {
  public:
   struct Params {

@@ -30,30 +30,31 @@ constexpr double kApart[] = {0.06, 0.03, 0.012};
 
 // Of choices that bring the gripper to about the same place in the same
 // configuration one is enough: the others have the same way, or none.
-class TriedWays {
+class TriedApproaches {
  public:
-  explicit TriedWays(const ArmLayout& arm) : arm_(arm) {}
+  explicit TriedApproaches(const ArmLayout& arm) : arm_(arm) {}
 
   // True if nothing like it was tried; it counts as tried from now on.
   bool Add(const Joints& q) {
-    const Way way{arm_.model->ConfigurationOf(q),
-                  GripperPose(arm_, q).translation()};
-    const bool is_known = std::ranges::any_of(ways_, [&](const Way& other) {
-      return other.configuration == way.configuration &&
-             (other.p_WG - way.p_WG).norm() < kSamePlace;
-    });
-    if (!is_known) ways_.push_back(way);
+    const Approach approach{arm_.model->ConfigurationOf(q),
+                            GripperPose(arm_, q).translation()};
+    const bool is_known =
+        std::ranges::any_of(approaches_, [&](const Approach& other) {
+          return other.configuration == approach.configuration &&
+                 (other.p_WG - approach.p_WG).norm() < kSamePlace;
+        });
+    if (!is_known) approaches_.push_back(approach);
     return !is_known;
   }
 
  private:
   static constexpr double kSamePlace = 0.03;  // [m]
-  struct Way {
+  struct Approach {
     IkConfiguration configuration;
     Vector3d p_WG;
   };
   const ArmLayout& arm_;
-  std::vector<Way> ways_;
+  std::vector<Approach> approaches_;
 };
 
 ReachParams ReachParamsOf(const MotionSearch::Params& params) {
@@ -74,7 +75,7 @@ template <class Choose, class Plan>
 MotionPlan BestWithWay(const ArmLayout& arm, const Choose& choices,
                        const Plan& plan) {
   MotionPlan none;
-  TriedWays tried(arm);
+  TriedApproaches tried(arm);
   for (const size_t most : {kBestFew, kAll}) {
     const auto found = choices(most);
     if (!found) {
@@ -239,7 +240,8 @@ Result<PlaceTarget> RequestSearch::FreePlaceIn(const ArmScene& scene) const {
           : "there is no free place on the table"};
 }
 
-/// What it holds, once it stands at X_WO and all arms are at home.
+/// True if the other arm can take the held part when that lies at X_WO and all
+/// arms are at home.
 bool RequestSearch::CanOtherTake(const ArmScene& scene,
                                  const Isometry3d& X_WO) const {
   ArmScene then = scene;

@@ -81,7 +81,7 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
   const double border =
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
   std::string reason;
-  // Where it stands it stands: what is near there must not forbid to leave.
+  // The arm is already there: what is near must not keep it from leaving.
   for (const double clearance :
        {motion.clearance, kReducedClearance, kTouching}) {
     ClearanceRule rule{clearance, {}};

@@ -8,10 +8,10 @@
 
 namespace cell::motion_planner {
 
-/// A free way of an arm from how it stands in `from` to the joints `to`, with
-/// its hand as it is: straight, or up, over and down, or else searched for. It
-/// keeps the clearance wanted if that can be, may leave what it touches, and
-/// stays within the workspace.
+/// A collision-free path of an arm from its posture in `from` to the joints
+/// `to`, with its hand unchanged: straight, or up, over and down, or else
+/// searched for. It keeps the wanted clearance if possible, may leave what it
+/// touches, and stays within the workspace.
 JointPath PlanWay(const ArmScene& scene, const std::string& arm,
                   const ArmPosture& from, const Joints& to,
                   const MotionSettings& motion);

@@ -12,14 +12,14 @@
 
 namespace cell::planner {
 
-/// What an arm says of a skill that it has.
+/// What an arm reports of one of its skills.
 struct SkillTraits {
   bool may_run_beside = false;  ///< while another arm is at work
   /// Brings the part to where another arm can take it: before its turn, too.
   bool hands_over = false;
 };
 
-/// What an arm says of itself. Objects are the vocabulary's.
+/// What an arm reports of itself. Objects are indices of the vocabulary.
 struct ArmState {
   static constexpr int64_t kIdle = -1;
   int arm = 0;
@@ -59,8 +59,8 @@ class ArmStates {
   std::map<int, ArmState> reports_;
 };
 
-/// The state in which no arm holds or reaches anything, as for a person who is
-/// watched.
+/// The state in which no arm holds or reaches anything, as while a person
+/// assembles.
 State WithoutArms(State state, const Vocabulary& vocabulary);
 
 }  // namespace cell::planner

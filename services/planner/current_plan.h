@@ -9,8 +9,8 @@
 
 namespace cell::planner {
 
-/// The robot's plan for a goal from the state of now. It is made anew only if
-/// the state, what is blocked, the goal or the rule set is another one.
+/// The robot's plan for a goal from the current state. It is recomputed only if
+/// the state, the blocked actions, the goal or the rule set changes.
 class CurrentPlan {
  public:
   CurrentPlan(std::shared_ptr<const RuleSet> rules, Goal goal,

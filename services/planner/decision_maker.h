@@ -14,7 +14,7 @@ namespace cell::planner {
 /// An episode that begins, or that runs when the planner starts.
 struct Episode {
   bool has_joined_late = false;
-  std::string agent;  ///< who is to reach the goal: person or robot
+  std::string agent;  ///< pursues the goal: person or robot
   std::string goal;   ///< name
 };
 
@@ -34,14 +34,14 @@ class DecisionMaker {
     Watch::Params watch = {};
     ExecutionParams execution = {};
   };
-  /// What follows from what it was told, or why that is refused.
+  /// The decisions that follow from an input, or why it is refused.
   using Answer = Result<Decisions>;
 
   DecisionMaker(std::shared_ptr<const RuleSet> rules, Params params);
 
   const RuleSet& rules() const { return *rules_; }
-  /// Replaces the rule set while a state goes on; it plans anew by the new one.
-  /// Refused as RuleSet::WhyNotReplace() says.
+  /// Replaces the rule set while a state goes on, and plans again by the new
+  /// one. Refused with the reason of RuleSet::WhyNotReplace().
   Answer ReplaceRules(std::shared_ptr<const RuleSet> rules);
 
   Decisions OnEpisode(const Episode& episode, Instant now);

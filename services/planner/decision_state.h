@@ -24,10 +24,10 @@ class DecisionState {
   virtual void OnSkillResult(const SkillResult&) {}
   /// Whether the cell's mode lets arms begin something.
   virtual void SetPermission(bool /*may_act*/, Instant) {}
-  /// Replaces the rule set, by which it plans anew at once.
+  /// Replaces the rule set and plans again at once.
   virtual Decisions SetRules(std::shared_ptr<const RuleSet>) { return {}; }
 
-  /// True if an episode runs whose goal can be replaced.
+  /// True if an episode with a replaceable goal runs.
   virtual bool HasGoal() const { return false; }
   virtual Decisions SetGoal(const Goal&) { return {}; }
 
@@ -38,7 +38,7 @@ class DecisionState {
 
   /// The episode has ended. False: nothing is left to do.
   virtual bool OnEpisodeEnd(Instant) { return false; }
-  /// What remains to be said before another state takes over.
+  /// The last decisions of this state before another one takes over.
   virtual Decisions Conclude(Instant) { return {}; }
 };
 

@@ -8,15 +8,14 @@
 
 namespace cell::planner {
 
-/// What the person is told and asked while the robot does a task: when the
-/// robot's patience is at an end, and when the person is done with what was
-/// asked for.
+/// The messages and questions to the person while the robot does a task: when
+/// the robot's patience ends, and when the person has done what was asked for.
 class Dialogue {
  public:
   explicit Dialogue(int64_t patience_us) : patience_us_(patience_us) {}
 
-  /// True while what cannot be decided, first said so now or earlier, may
-  /// settle by itself.
+  /// True while an undecidable state, first reported now or earlier, may still
+  /// be resolved by itself.
   bool IsPatient(Instant now);
   /// Reports the question about `state`, once.
   void Ask(ExecutionStatus question, const State& state, Instant now,

@@ -22,7 +22,7 @@ std::vector<int> ConstantAtoms(const StateSpace& space,
 }
 
 /// True if a rule of the action has the atom in its context with this truth.
-/// Literals over deictic variables are left out: nobody knows their objects.
+/// Literals over deictic variables are left out: their objects are not known.
 bool Needs(const StateSpace& space, const GroundAction& action, int atom,
            Truth truth) {
   const Vocabulary& vocabulary = space.rules().vocabulary();
@@ -54,8 +54,8 @@ State Flipped(State state, const std::vector<int>& atoms) {
   return state;
 }
 
-/// Constant atoms that stand in some action's way; none of which the goal
-/// itself speaks, since to wish for the goal explains nothing.
+/// Constant atoms that keep some action from being possible, without those of
+/// the goal itself: assuming the goal would explain nothing.
 std::vector<int> Obstacles(const StateSpace& space, int state,
                            const Goal& goal) {
   const Vocabulary& vocabulary = space.rules().vocabulary();
@@ -81,8 +81,8 @@ std::vector<int> Obstacles(const StateSpace& space, int state,
   return obstacles;
 }
 
-/// A least part of `atoms` whose flipping allows a plan; nothing if not even
-/// all of them do.
+/// A minimal subset of `atoms` that allows a plan when flipped; empty if not
+/// even all of them do.
 std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
                              const std::function<Plan(const State&)>& solve) {
   const auto has_plan = [&](const std::vector<int>& flipped) {

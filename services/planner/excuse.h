@@ -17,8 +17,8 @@ struct Excuse {
 
 /// Plain words for why `goal` cannot be reached from `state` of the space: the
 /// goal's literals that no reachable state has together with the others, and
-/// an excuse (section VI-B1): a least set of atoms that, were they otherwise,
-/// would allow a plan, with the action that needs them. Nobody can be asked to
+/// an excuse (section VI-B1): a minimal set of atoms that, if flipped, would
+/// allow a plan, with the action that needs them. A person is never asked to
 /// put something into a gripper.
 /// `solve` finds the plan for a state.
 Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,

@@ -8,11 +8,11 @@
 namespace cell::planner {
 
 /// Does a task with the arms (section VIII-A): the first action of the plan is
-/// requested, its end awaited, the state sensed afresh, the plan renewed.
-/// Nothing is remembered of the world, so that a person may do any step
-/// meanwhile, and a planner that is started anew goes on from what it senses
-/// once all arms are idle. If an action has failed too often, another one is
-/// tried, or the person is asked. Its states: execution/execution_state.h.
+/// requested, its end awaited, the state sensed again, the plan renewed. It
+/// keeps no memory of the world, so that a person may do any step meanwhile,
+/// and a restarted planner goes on from what it senses once all arms are idle.
+/// If an action has failed too often, another one is tried, or the person is
+/// asked. Its states: execution/execution_state.h.
 class Execute final : public DecisionState {
  public:
   Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
@@ -20,7 +20,7 @@ class Execute final : public DecisionState {
           Instant now);
 
   Decisions OnSensed(const SensedState& sensed) override;
-  /// What somebody has moved while a question stood may now go better.
+  /// Actions with parts that a person moved during a question may now succeed.
   Decisions OnAction(const DoneAction& action) override;
   void OnArmState(const ArmState& report) override;
   void OnSkillResult(const SkillResult& result) override;

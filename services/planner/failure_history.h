@@ -24,15 +24,15 @@ class FailureHistory {
   FailureHistory(std::shared_ptr<const Vocabulary> vocabulary, int max_attempts)
       : vocabulary_(std::move(vocabulary)), max_attempts_(max_attempts) {}
 
-  /// It was tried in `before` and has ended. If it has succeeded, the state
-  /// will tell.
+  /// It was tried in `before` and has ended.
+  /// Success shows in the state.
   void Add(const GroundAction& action, const State& before,
            const std::string& reason);
   /// Forgets what was tried in another state than this. What grippers hold
   /// does not count, nor what others than the action's objects can reach; an
   /// unknown atom is no change.
   void Update(const State& now);
-  /// Somebody has moved the object.
+  /// The object was moved.
   void ForgetAbout(int object);
   void Clear() { entries_.clear(); }
 

@@ -14,13 +14,13 @@
 
 namespace cell::planner {
 
-/// Watches somebody do a task (section VII-C): after each action there must be
+/// Watches a person do a task (section VII-C): after each action there must be
 /// a way to the goal, and it must not have become longer by the action. Pairs
 /// actions with the state at their key frame, whichever comes first.
 class Monitor {
  public:
   struct Params {
-    /// An action that makes the way longer by more than so many expected
+    /// An action that lengthens the plan by more than this number of expected
     /// actions is a deviation; the least true one is 1.
     double min_detour = 0.5;
     /// States and actions that are remembered: of the latest key frames. An

@@ -9,31 +9,31 @@ std::optional<State> MostLikelyOutcome(const RuleSet& rules,
                                        const State& state) {
   const Action& lifted = rules.ActionOf(action);
   const State known = state.UnknownAsFalse();
-  const auto covers = ApplicableRules(lifted, action.arguments, known,
-                                      rules.vocabulary(), Agent::kRobot);
-  if (covers.size() != 1) return std::nullopt;
-  const auto& outcomes = lifted.rules[covers[0].rule].outcomes;
+  const auto applicable = ApplicableRules(lifted, action.arguments, known,
+                                          rules.vocabulary(), Agent::kRobot);
+  if (applicable.size() != 1) return std::nullopt;
+  const auto& outcomes = lifted.rules[applicable[0].rule].outcomes;
   const auto likeliest = std::max_element(
       outcomes.begin(), outcomes.end(), [](const Outcome& a, const Outcome& b) {
         return a.probability < b.probability;
       });
   if (likeliest == outcomes.end()) return std::nullopt;
-  return Apply(*likeliest, covers[0].binding, known, rules.vocabulary());
+  return Apply(*likeliest, applicable[0].binding, known, rules.vocabulary());
 }
 
 bool IsSurelyPossible(const RuleSet& rules, const GroundAction& action,
                       const State& state) {
   const Action& lifted = rules.ActionOf(action);
   const Vocabulary& vocabulary = rules.vocabulary();
-  const auto covers = ApplicableRules(lifted, action.arguments, state,
-                                      vocabulary, Agent::kRobot);
+  const auto applicable = ApplicableRules(lifted, action.arguments, state,
+                                          vocabulary, Agent::kRobot);
   return std::any_of(
-      covers.begin(), covers.end(), [&](const ApplicableRule& cover) {
-        const auto& context = lifted.rules[cover.rule].context;
-        return std::all_of(
-            context.begin(), context.end(), [&](const Literal& l) {
-              return MustHold(l, cover.binding, state, vocabulary);
-            });
+      applicable.begin(), applicable.end(), [&](const ApplicableRule& a) {
+        const auto& context = lifted.rules[a.rule].context;
+        return std::all_of(context.begin(), context.end(),
+                           [&](const Literal& l) {
+                             return MustHold(l, a.binding, state, vocabulary);
+                           });
       });
 }
 

@@ -144,7 +144,7 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
 }
 
 Excuse PlanSearch::WhyNoPlan(const State& state) {
-  // Looked up anew, since the questions of an excuse may fill the space.
+  // A space of its own, since the questions of an excuse may fill the other.
   StateSpace space(problem_.rules, problem_.agent, problem_.blocked);
   const std::optional<int> s = space.Enter(state, params_.max_states);
   if (!s) return {"too many states to explain", {}};

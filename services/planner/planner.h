@@ -22,8 +22,8 @@ namespace cell::planner {
 /// The decision maker as a service, for the goal that EPISODE or COMMAND_GOAL
 /// names. Of a person's episode: PREDICATES, ACTION -> PLAN, ALERT. Of the
 /// robot's: these, ARM_REPORT_*, SKILL_RESULT and MODE -> SKILL_REQUEST,
-/// SENSE_REQUEST, EXECUTION, PLAN; nobody is warned then, since what fails is
-/// the robot's own. ACTION_RECORD replaces what it knows of an action.
+/// SENSE_REQUEST, EXECUTION, PLAN; no warnings then, since failures are the
+/// robot's own. ACTION_RECORD replaces what it knows of an action.
 class Planner final : public Service {
  public:
   /// `bus` must outlive this object.

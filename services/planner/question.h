@@ -27,7 +27,7 @@ std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
 std::string AskForStep(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests);
 
-/// The question when nobody can see whether the next step is possible.
+/// The question when sensing cannot decide whether the next step is possible.
 std::string AskForView(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests);
 

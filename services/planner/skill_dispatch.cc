@@ -58,7 +58,7 @@ EndedSkill SkillDispatch::End(int arm, int64_t utime, bool has_succeeded,
   running_.erase(arm);
   since_utime_ = std::max(since_utime_, utime);
   const RunningSkill& skill = ended.skill;
-  // If it has succeeded, the state will tell.
+  // Success shows in the state.
   if (counts && skill.action) {
     failures_.Add(*skill.action, skill.before, reason);
   }

@@ -17,10 +17,10 @@ struct RunningSkill {
   SkillRequest request;
   std::optional<GroundAction> action;  ///< nullopt: going free, cleaning up
   State before = State(0);             ///< the action was planned for it
-  int64_t heard_utime = 0;  ///< [us] asked, or when the arm last said it runs
+  int64_t heard_utime = 0;  ///< [us] asked, or when the arm last reported it
 };
 
-/// One that has ended, or whose request was lost.
+/// One that has ended, or that was lost.
 struct EndedSkill {
   RunningSkill skill;
   int64_t utime = 0;  ///< [us]
@@ -29,10 +29,10 @@ struct EndedSkill {
   std::string reason;
 };
 
-/// Which arm runs which skill. An arm whose skill was cut short, by a stop or
-/// the death of its service, first has to go free: until then what is sensed
-/// may be under strain. An action that fails again and again without a change
-/// of the state is blocked (FailureHistory).
+/// Which arm runs which skill. An arm with a skill interrupted by a stop or the
+/// death of its service first has to go free: until then the parts that are
+/// sensed may be under strain. An action that fails again and again without a
+/// change of the state is blocked (FailureHistory).
 class SkillDispatch {
  public:
   struct Params {
@@ -49,8 +49,8 @@ class SkillDispatch {
   void Update(const ArmState& report) { arms_.Update(report); }
   /// Nullopt if the request is not ours.
   std::optional<EndedSkill> Update(const SkillResult& result);
-  /// Ends what arms were asked for that have been idle for too long since: they
-  /// have started anew and know nothing of it.
+  /// Ends requests to arms that have been idle for too long since: they have
+  /// restarted and lost the request.
   std::vector<EndedSkill> EndLostRequests();
 
   /// All arms have reported since the last end of a skill.
@@ -69,7 +69,7 @@ class SkillDispatch {
   /// Asks the arm, which must be free.
   void Start(SkillRequest request, std::optional<GroundAction> action,
              const State& before, Instant now, Decisions& out);
-  /// Asks free arms whose skill was cut short to go free.
+  /// Asks idle arms with an interrupted skill to go free.
   void StartGoingFree(Instant now, Decisions& out);
 
   /// "Present(lid), Insert(bolt_1, hole_1)"; empty if nothing runs.
@@ -85,7 +85,7 @@ class SkillDispatch {
   FailureHistory failures_;
   int64_t since_utime_;
   std::map<int, RunningSkill> running_;  // by arm
-  /// Arms whose skill was cut short, and how often they failed to go free.
+  /// Arms with an interrupted skill, and how often they failed to go free.
   std::map<int, int> to_free_;
 };
 

@@ -14,7 +14,7 @@ namespace cell::planner {
 struct Problem {
   std::shared_ptr<const RuleSet> rules;
   Goal goal;
-  Agent agent = Agent::kPerson;         ///< who acts
+  Agent agent = Agent::kPerson;         ///< of the plan
   std::set<GroundAction> blocked = {};  ///< not to be counted on
 };
 
@@ -27,8 +27,8 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
 
-  /// Unknown atoms are taken as false; if there is no plan then but might be
-  /// one were they otherwise, the result is undecided.
+  /// Unknown atoms are taken as false; if there is a plan only if some are
+  /// true, the result is undecided.
   virtual Plan Find(const State& state) = 0;
 };
 

@@ -37,27 +37,27 @@ std::vector<StateSpace::Candidate> StateSpace::CandidatesIn(int state) {
   std::vector<Candidate> candidates;
   const bool has_unknown = states_[state].HasUnknown();
   for (size_t i = 0; i < actions_.size(); ++i) {
-    const auto covers =
+    const auto applicable =
         ApplicableRules(rules_->ActionOf(actions_[i]), actions_[i].arguments,
                         states_[state], rules_->vocabulary(), agent_);
     // Of several rules one may be right if something is unknown.
-    if (covers.size() > 1 && !has_unknown) continue;
-    for (const ApplicableRule& cover : covers) {
-      Candidate candidate = Try(static_cast<int>(i), cover, state);
+    if (applicable.size() > 1 && !has_unknown) continue;
+    for (const ApplicableRule& rule : applicable) {
+      Candidate candidate = Try(static_cast<int>(i), rule, state);
       if (!candidate.moves.empty()) candidates.push_back(std::move(candidate));
     }
   }
   return candidates;
 }
 
-StateSpace::Candidate StateSpace::Try(int action, const ApplicableRule& cover,
+StateSpace::Candidate StateSpace::Try(int action, const ApplicableRule& rule,
                                       int state) {
-  const NdrRule& rule = rules_->ActionOf(actions_[action]).rules[cover.rule];
-  Candidate candidate{action, rule.noise, {}};
-  for (const Outcome& outcome : rule.outcomes) {
+  const NdrRule& ndr = rules_->ActionOf(actions_[action]).rules[rule.rule];
+  Candidate candidate{action, ndr.noise, {}};
+  for (const Outcome& outcome : ndr.outcomes) {
     if (outcome.probability == 0) continue;
     const int after = IndexOf(
-        Apply(outcome, cover.binding, states_[state], rules_->vocabulary()));
+        Apply(outcome, rule.binding, states_[state], rules_->vocabulary()));
     if (after == state) {
       candidate.stay += outcome.probability;
       continue;

@@ -9,7 +9,7 @@
 namespace cell::planner {
 namespace {
 
-/// Of an episode that nobody recognises anything in, the first ones will do.
+/// If nothing in an episode is recognised, the first ones are enough.
 constexpr size_t kMaxChanges = 1000;
 /// That a change may still belong to.
 constexpr size_t kMaxActions = 16;
@@ -116,13 +116,13 @@ std::vector<std::string> UnexplainedChanges::TakeOverdue(int64_t now) {
   std::vector<std::string> texts;
   std::erase_if(changes_, [&](const Change& change) {
     const bool is_overdue = now - change.utime > params_.patience_us;
-    if (is_overdue) texts.push_back(Tell(change));
+    if (is_overdue) texts.push_back(Describe(change));
     return is_overdue;
   });
   return texts;
 }
 
-std::string UnexplainedChanges::Tell(const Change& change) const {
+std::string UnexplainedChanges::Describe(const Change& change) const {
   std::vector<std::string> literals;
   for (const auto& [atom, is_true] : change.atoms) {
     literals.push_back((is_true ? "" : "not ") + vocabulary_->AtomName(atom));

@@ -16,13 +16,14 @@
 namespace cell::planner {
 
 /// Changes of the state that no recognised action accounts for: the recognizer
-/// was dead meanwhile, or it happened by itself. The plan is right all the
-/// same, since it is made from the state.
+/// was dead meanwhile, or it happened by itself. The plan is right
+/// nevertheless, since it is made from the state.
 ///
-/// What the task's goals speak of is accounted for by an action with an object
-/// of it alone; the rest, like what lies below a part in the air, by any action
-/// at that time. After a late start nothing is known of the actions before:
-/// what the goals speak of and is found done has to be accounted for, too.
+/// An atom of the task's goals is accounted for only by an action with an
+/// object of it; the others, like those of what lies below a part in the air,
+/// by any action at that time. After a late start the actions before are not
+/// known: atoms of the goals that are true already have to be accounted for,
+/// too.
 class UnexplainedChanges {
  public:
   struct Params {
@@ -46,7 +47,7 @@ class UnexplainedChanges {
 
   /// What has waited long enough for an action, in plain words, once.
   std::vector<std::string> TakeOverdue(int64_t now);
-  /// What has waited at all: the episode is over.
+  /// All changes that still wait: the episode is over.
   std::vector<std::string> TakeAll();
 
  private:
@@ -64,7 +65,7 @@ class UnexplainedChanges {
   bool Explains(const DoneAction& action, int atom) const;
   /// Takes away what the action explains.
   void Account(const DoneAction& action, Change& change) const;
-  std::string Tell(const Change& change) const;
+  std::string Describe(const Change& change) const;
 
   std::shared_ptr<const Vocabulary> vocabulary_;
   Params params_;

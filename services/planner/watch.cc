@@ -63,8 +63,8 @@ Decisions Watch::Decide(Instant now) {
   return Conclude(now);
 }
 
-/// After a late start it asks until it is told the state: the estimator may be
-/// dead just now.
+/// After a late start it asks until it receives the state: the estimator may be
+/// dead at that time.
 Decisions Watch::Review(Instant now) {
   Decisions out = Warn(unexplained_.TakeOverdue(now.utime), now);
   out.sense = unexplained_.has_joined_late() && !unexplained_.has_state();

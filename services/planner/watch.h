@@ -12,8 +12,8 @@
 
 namespace cell::planner {
 
-/// Watches a person do a task: reports plans, deviations (Monitor) and what
-/// nobody has recognised (UnexplainedChanges).
+/// Watches a person do a task: reports plans, deviations (Monitor) and changes
+/// that no recognised action explains (UnexplainedChanges).
 class Watch final : public DecisionState {
  public:
   struct Params {

@@ -1,4 +1,4 @@
-// predicate_estimator: says which predicates of the task are true now.
+// predicate_estimator: reports which predicates of the task are true now.
 #include "common/node/run_service.h"
 #include "services/predicate_estimator/predicate_estimator.h"
 

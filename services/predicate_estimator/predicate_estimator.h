@@ -18,10 +18,10 @@
 namespace cell::predicate_estimator {
 
 /// KEY_FRAME, TRACKS, SENSE_REQUEST -> PREDICATES: all ground predicates that
-/// geometry can tell, sensed afresh at each key frame (section VII-B) and on
-/// request. Relations and poses are the key frame's; the latest tracks say
-/// whose pose is seen. On request relations are the latest key frame's, poses
-/// and time the latest tracks'. Nothing else is kept.
+/// geometry can decide, sensed at each key frame (section VII-B) and on
+/// request. Relations and poses are the key frame's; which poses are seen is
+/// taken from the latest tracks. On request relations are the latest key
+/// frame's, poses and time the latest tracks'. Keeps nothing else.
 class PredicateEstimator final : public Service {
  public:
   struct Params {

@@ -1,6 +1,7 @@
 #include "services/recognizer/manipulation.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace cell::recognizer {
@@ -18,18 +19,29 @@ Manipulation::Manipulation(const SecLibrary& library, PickUp pick_up)
   }
 }
 
-std::vector<Manipulation::Hypothesis> Manipulation::CompletedBy(
-    const SensedFrame& after) const {
+std::vector<double> Manipulation::Agreements(const SensedFrame& after) const {
   const ObservedManipulation observed{part(), before(), after, chain_};
-  std::vector<Hypothesis> completed;
-  double best = threshold_;
+  std::vector<double> agreements;
   for (const Hypothesis& hypothesis : hypotheses_) {
-    const double agreement = hypothesis.model->Agreement(
-        observed, hypothesis.roles, hypothesis.direction);
-    if (agreement < best) continue;
-    if (agreement > best) completed.clear();
-    best = agreement;
-    completed.push_back(hypothesis);
+    agreements.push_back(hypothesis.model->Agreement(observed, hypothesis.roles,
+                                                     hypothesis.direction));
+  }
+  return agreements;
+}
+
+std::vector<Manipulation::Reading> Manipulation::CompletedBy(
+    const SensedFrame& after) const {
+  const std::vector<double> agreements = Agreements(after);
+  std::map<ActionDirection, double> best;
+  for (size_t i = 0; i < hypotheses_.size(); ++i) {
+    double& of_direction =
+        best.try_emplace(hypotheses_[i].direction, threshold_).first->second;
+    of_direction = std::max(of_direction, agreements[i]);
+  }
+  std::vector<Reading> completed;
+  for (size_t i = 0; i < hypotheses_.size(); ++i) {
+    if (agreements[i] < best.at(hypotheses_[i].direction)) continue;
+    completed.push_back({hypotheses_[i], agreements[i]});
   }
   return completed;
 }

@@ -20,6 +20,11 @@ class Manipulation {
     SecModel::Roles roles;
     ActionDirection direction;  // forward or reversed
   };
+  /// A hypothesis that the whole manipulation agrees with.
+  struct Reading {
+    Hypothesis hypothesis;
+    double agreement = 0;  // from 0 to 1
+  };
   struct PickUp {
     std::string part;
     int64_t index = 0;  ///< key frame
@@ -35,23 +40,29 @@ class Manipulation {
   /// A key frame from the pick-up on.
   void Append(const TouchGraph& relations) { chain_.Append(relations); }
 
-  /// The hypotheses that agree best with the manipulation that ends in `after`,
-  /// if they reach the threshold; those reversed come first: what was undone
+  /// How well each hypothesis agrees with the manipulation if it ends in
+  /// `after`, in their order: from 0 to 1.
+  std::vector<double> Agreements(const SensedFrame& after) const;
+  /// Of the hypotheses of each direction those that agree best with the
+  /// manipulation that ends in `after`, if they reach the threshold: it may
+  /// undo one action and do another. Those reversed come first: what was undone
   /// came before what was done.
-  std::vector<Hypothesis> CompletedBy(const SensedFrame& after) const;
+  std::vector<Reading> CompletedBy(const SensedFrame& after) const;
 
   const std::string& part() const { return pick_up_.part; }
   const std::set<std::string>& hands() const { return hands_; }
   int64_t pick_index() const { return pick_up_.index; }
   int64_t pick_utime() const { return pick_up_.utime; }
   const SensedFrame& before() const { return *pick_up_.before; }
-  /// Not yet contradicted.
+  /// From the key frame before the pick-up on.
+  const EventChain& chain() const { return chain_; }
+  /// Not yet contradicted, first those reversed.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
  private:
   PickUp pick_up_;
   double threshold_;
-  EventChain chain_;  // from the key frame before the pick-up on
+  EventChain chain_;
   std::set<std::string> hands_;
   std::vector<Hypothesis> hypotheses_;
 };

@@ -1,6 +1,7 @@
 #include "services/recognizer/recognition.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/predicates/seat.h"
@@ -30,9 +31,12 @@ std::vector<RecognisedAction> Recognition::Update(const KeyFrame& frame) {
   std::vector<Manipulation> unnamed;
   for (Manipulation& manipulation : placed) {
     const auto completed = manipulation.CompletedBy(*now);
-    for (const Manipulation::Hypothesis& hypothesis : completed) {
-      actions.push_back(Report(manipulation, &hypothesis, *now));
+    std::vector<RecognisedAction> named;
+    for (const Manipulation::Reading& reading : completed) {
+      named.push_back(Report(manipulation, &reading, *now));
     }
+    if (!named.empty()) Observe(manipulation, named, *now);
+    std::ranges::move(named, std::back_inserter(actions));
     if (completed.empty() && WasMoved(manipulation, *now)) {
       unnamed.push_back(std::move(manipulation));
     }
@@ -46,6 +50,7 @@ std::vector<RecognisedAction> Recognition::Update(const KeyFrame& frame) {
                     });
     if (carried_by_another || WasCarriedAlong(unnamed[i], *now)) continue;
     actions.push_back(Report(unnamed[i], nullptr, *now));
+    Observe(unnamed[i], {actions.back()}, *now);
   }
   previous_ = now;
   return actions;
@@ -147,15 +152,25 @@ bool Recognition::Rode(const std::string& part, const std::string& carrier,
              params_.turned;
 }
 
+void Recognition::Observe(const Manipulation& manipulation,
+                          const std::vector<RecognisedAction>& actions,
+                          const SensedFrame& after) const {
+  if (!observer_) return;
+  observer_(
+      {manipulation.part(), manipulation.before(), after, manipulation.chain()},
+      actions);
+}
+
 RecognisedAction Recognition::Report(const Manipulation& manipulation,
-                                     const Manipulation::Hypothesis* hypothesis,
+                                     const Manipulation::Reading* reading,
                                      const SensedFrame& after) {
   last_placed_[manipulation.part()] = after.frame.index;
   RecognisedAction action;
-  if (hypothesis) {
-    action.direction = hypothesis->direction;
-    action.name = hypothesis->model->action();
-    action.arguments = hypothesis->roles;
+  if (reading) {
+    action.direction = reading->hypothesis.direction;
+    action.name = reading->hypothesis.model->action();
+    action.arguments = reading->hypothesis.roles;
+    action.confidence = reading->agreement;
   }
   action.part = manipulation.part();
   action.hands.assign(manipulation.hands().begin(), manipulation.hands().end());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ namespace cell::recognizer {
 struct RecognisedAction {
   ActionDirection direction = ActionDirection::kUnknown;
   std::string name;                    ///< empty if unknown
+  double confidence = 0;               ///< the agreement, 0 if unknown
   std::vector<std::string> arguments;  ///< in the action's order
   std::string part;                    ///< what was moved
   std::vector<std::string> hands;      ///< that held it, sorted
@@ -44,6 +46,11 @@ class Recognition {
               std::shared_ptr<const PredicateSensor> sensor,
               const Params& params);
 
+  /// Called with each manipulation that is reported, and what it is read as.
+  using Observer = std::function<void(const ObservedManipulation&,
+                                      const std::vector<RecognisedAction>&)>;
+  void SetObserver(Observer observer) { observer_ = std::move(observer); }
+
   /// @pre frames come in their order.
   std::vector<RecognisedAction> Update(const KeyFrame& frame);
 
@@ -69,8 +76,11 @@ class Recognition {
   bool WasHeldSince(const std::string& part, int64_t index) const;
   bool Rode(const std::string& part, const std::string& carrier,
             const SensedFrame& before, const SensedFrame& after) const;
+  void Observe(const Manipulation& manipulation,
+               const std::vector<RecognisedAction>& actions,
+               const SensedFrame& after) const;
   RecognisedAction Report(const Manipulation& manipulation,
-                          const Manipulation::Hypothesis* hypothesis,
+                          const Manipulation::Reading* reading,
                           const SensedFrame& after);
 
   SceneObjects scene_objects_;
@@ -78,6 +88,7 @@ class Recognition {
   std::shared_ptr<const SecLibrary> library_;
   std::shared_ptr<const PredicateSensor> sensor_;
   Params params_;
+  Observer observer_;
   std::shared_ptr<const SensedFrame> previous_;
   std::map<std::string, Manipulation> manipulations_;  // by part
   std::map<std::string, int64_t> last_placed_;  // key frame, of those reported

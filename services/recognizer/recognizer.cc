@@ -1,13 +1,16 @@
 #include "services/recognizer/recognizer.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 #include <utility>
 
 #include "cell/action_t.hpp"
+#include "cell/alert_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "common/actions/record_messages.h"
+#include "common/actions/sec_models.h"
 #include "common/scene/key_frame.h"
-#include "common/sec/condition_library.h"
 #include "common/task/task.h"
 
 namespace cell::recognizer {
@@ -30,22 +33,11 @@ action_t ToMessage(const RecognisedAction& action, int64_t index) {
   return message;
 }
 
-/// The models that were written by hand are the only ones yet.
-std::shared_ptr<const SecLibrary> MakeConditionLibrary(
-    const ActionModels& actions) {
-  std::vector<ConditionLibrary::Entry> entries;
-  for (const ActionModel& model : actions.models()) {
-    if (!model.sec) continue;
-    entries.push_back({model.action.name, model.action.arguments, *model.sec});
-  }
-  return std::make_shared<const ConditionLibrary>(
-      std::move(entries), actions.domain().vocabulary(), actions.parts());
-}
-
 }  // namespace
 
 Recognizer::Recognizer(Bus& bus, const Params& params)
     : bus_(bus), params_(params), actions_(params.actions) {
+  if (params.is_learning) learning_.emplace(actions_);
   Begin();
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
@@ -54,6 +46,11 @@ Recognizer::Recognizer(Bus& bus, const Params& params)
   bus.Subscribe<action_record_t>(
       "ACTION_RECORD",
       [this](const action_record_t& m) { return OnRecord(m); });
+  AnswerCommands<command_name_t>(bus, "COMMAND_NAME",
+                                 [this](const auto& m) { return OnName(m); });
+  if (!learning_) return;
+  bus.Subscribe<stored_t>("STORED", [this](const auto& m) { OnStored(m); });
+  bus.Every(1, 0, [this] { RequestChanges(); });
 }
 
 void Recognizer::Begin() {
@@ -62,10 +59,18 @@ void Recognizer::Begin() {
       params_.sensor, params_.recognition);
   last_key_frame_ = -1;
   next_index_ = 0;
+  if (!learning_) return;
+  recognition_->SetObserver(
+      [this](const auto& manipulation, const auto& actions) {
+        Learn(manipulation, actions);
+      });
 }
 
 bool Recognizer::OnEpisode(const episode_t& message) {
   const auto event = episode_.Update(message);
+  if (event == EpisodeEvent::kBegins || event == EpisodeEvent::kJoins) {
+    demonstration_ = fmt::format("{} {}", message.demonstration, message.seed);
+  }
   if (event == EpisodeEvent::kBegins) Begin();
   if (event == EpisodeEvent::kJoins) {
     library_request_t all{};
@@ -90,8 +95,48 @@ bool Recognizer::OnRecord(const action_record_t& message) {
   const auto update = actions_.Take(FromMessage(message));
   if (update && *update == ActionModels::Update::kChanged) {
     recognition_->Use(params_.make_library(actions_));
+    if (learning_) learning_->OnRecord(message.name, actions_);
   }
   return bool(update);
+}
+
+CommandAnswer Recognizer::OnName(const command_name_t& message) {
+  if (!learning_) {
+    return CommandAnswer::Refuse(
+        "this cell does not learn; set learning: true in recognizer.yaml");
+  }
+  const auto text = learning_->Name(message.name, message.is_undone, actions_);
+  return text ? CommandAnswer::Accept(*text)
+              : CommandAnswer::Refuse(text.reason());
+}
+
+void Recognizer::OnStored(const stored_t& message) {
+  if (message.outcome == stored_t::STORED) return;
+  learning_->OnRefusal();
+  alert_t alert{};
+  alert.header.utime = bus_.now();
+  alert.level = alert_t::WARNING;
+  alert.cause = alert_t::BAD_INPUT;
+  alert.text = "the library does not keep what was learned: " + message.reason;
+  bus_.Publish("ALERT", alert);
+}
+
+/// What undoes one action and does another shows neither by itself.
+void Recognizer::Learn(const ObservedManipulation& manipulation,
+                       const std::vector<RecognisedAction>& actions) {
+  if (actions.size() > 1) {
+    learning_->OnMixture();
+  } else {
+    learning_->OnManipulation(manipulation, demonstration_);
+  }
+}
+
+void Recognizer::RequestChanges() {
+  for (const ActionRecord& record : learning_->TakeChanges(actions_)) {
+    action_record_t message = ToMessage(record);
+    message.header.utime = bus_.now();
+    bus_.Publish("STORE_REQUEST", message);
+  }
 }
 
 std::unique_ptr<Service> MakeRecognizer(Bus& bus,
@@ -99,13 +144,15 @@ std::unique_ptr<Service> MakeRecognizer(Bus& bus,
   const Task task = LoadTask(deployment);
   Recognizer::Params params{task.scene_objects,
                             {task.domain, task.parts, task.actions},
-                            MakeConditionLibrary,
+                            MakeSecLibrary,
                             task.MakeSensor(),
-                            {}};
+                            {},
+                            false};
   const Config config = deployment.ForService("recognizer");
   params.recognition.moved = config.Number("moved_mm", 0, 1000) * 1e-3;
   params.recognition.turned =
       config.Number("turned_deg", 0, 180) * std::numbers::pi / 180;
+  params.is_learning = config.Get<bool>("learning");
   config.Finish();
   return std::make_unique<Recognizer>(bus, params);
 }

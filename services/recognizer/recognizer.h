@@ -2,14 +2,21 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cell/action_record_t.hpp"
+#include "cell/command_name_t.hpp"
 #include "cell/key_frame_t.hpp"
+#include "cell/stored_t.hpp"
 #include "common/actions/action_models.h"
 #include "common/bus/bus.h"
+#include "common/bus/command_answer.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/scene/scene_objects.h"
+#include "services/recognizer/learning.h"
 #include "services/recognizer/recognition.h"
 
 namespace cell::recognizer {
@@ -17,6 +24,9 @@ namespace cell::recognizer {
 /// KEY_FRAME -> ACTION: names manipulations, forward or reversed, and tells
 /// unknown ones (section VII-A). ACTION_RECORD replaces what it knows of an
 /// action; who joins an episode that runs asks for them by LIBRARY_REQUEST.
+///
+/// If it learns, COMMAND_NAME names the manipulation that was reported last,
+/// and what was learned goes to the library by STORE_REQUEST.
 class Recognizer final : public Service {
  public:
   struct Params {
@@ -29,6 +39,7 @@ class Recognizer final : public Service {
     MakeSecLibrary make_library;
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
+    bool is_learning = false;
   };
 
   /// `bus` must outlive this object.
@@ -38,12 +49,19 @@ class Recognizer final : public Service {
   bool OnEpisode(const episode_t& message);
   bool OnKeyFrame(const key_frame_t& message);
   bool OnRecord(const action_record_t& message);
+  CommandAnswer OnName(const command_name_t& message);
+  void OnStored(const stored_t& message);
   void Begin();
+  void Learn(const ObservedManipulation& manipulation,
+             const std::vector<RecognisedAction>& actions);
+  void RequestChanges();
 
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
   ActionModels actions_;                      // as the library has told them
+  std::optional<Learning> learning_;          // if it learns
+  std::string demonstration_;                 // that is shown
   std::unique_ptr<Recognition> recognition_;  // of the episode
   int64_t last_key_frame_ = -1;
   int64_t next_index_ = 0;

@@ -15,7 +15,7 @@ namespace cell::recorder {
 std::filesystem::path ClaimLogName(const std::filesystem::path& run_dir);
 
 /// Storage adapter of the recorder: cell-0001.lcmlog in the run folder, the
-/// next free number for each life. Without a folder it keeps nothing (replay).
+/// next free number for each start. Without a folder it keeps nothing (replay).
 class LogStore {
  public:
   /// @throws std::runtime_error naming the file if it cannot be created.

@@ -11,8 +11,8 @@
 
 namespace cell::recorder {
 
-/// Every channel -> a canonical log in the run folder, at any speed. A life
-/// that follows a death says on ALERT which ticks the logs lack.
+/// Every channel -> a canonical log in the run folder, at any speed. After a
+/// death the next incarnation reports on ALERT which ticks the logs lack.
 class Recorder : public Service {
  public:
   Recorder(Bus& bus, const std::filesystem::path& run_dir);

@@ -18,7 +18,7 @@ namespace cell::recorder {
 class RotatingLog {
  public:
   struct Params {
-    int64_t file_bytes = 256 << 20;   ///< a new file after so many
+    int64_t file_bytes = 256 << 20;   ///< a new file after this size
     int64_t total_bytes = 8ll << 30;  ///< of all files of the folder
     int64_t free_bytes = 512 << 20;   ///< it stops with less left on the disk
   };

@@ -46,7 +46,7 @@ class Arm {
   /// One tick of `dt` [s] with what its devices say.
   void Update(const ArmReading& reading, double dt);
   const ArmReading& reading() const { return reading_; }
-  /// What it shall do next. @pre is_known().
+  /// Its next command. @pre is_known().
   ArmCommand& command() { return *command_; }
   const ArmCommand& command() const { return *command_; }
   /// Its device has spoken.
@@ -60,7 +60,7 @@ class Arm {
   /// The site that holds what the gripper holds; nullptr if there is none.
   const Site* SiteOfHeld() const;
   /// Once it has been at rest for a while: the part that the fingers hold, if
-  /// they held it before this life began.
+  /// they held it before this process started.
   void RecogniseHeld();
   /// The part that the fingers are around.
   std::optional<std::string> FindGrasped() const;

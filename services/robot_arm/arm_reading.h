@@ -25,7 +25,7 @@ struct ArmReading {
   std::optional<SensedWrench> wrench;
 };
 
-/// What an arm shall do in the next tick.
+/// The command to an arm for the next tick.
 struct ArmCommand {
   Joints q = Joints::Zero();
   double opening = 0;

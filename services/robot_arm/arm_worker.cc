@@ -49,8 +49,8 @@ void ArmWorker::Begin(const SkillRequest& request,
   if (permission != MotionPermission::kMove) return refuse("the cell holds");
   if (!arm_.is_known()) return refuse("the arm's device is silent");
   if (const auto problem = WhyNot(request)) return refuse(*problem);
-  // What an earlier life or a stop has left it at: by now it is known where
-  // parts are.
+  // An earlier incarnation or a stop may have left the arm near something: the
+  // poses of the parts are known by now.
   if (!arm_.is_near) {
     arm_.is_near = arm_.monitor().IsNearSomething(arm_.command().q);
   }
@@ -115,7 +115,7 @@ bool ArmWorker::MustYield(double dt) {
                     {"another arm is in the way"});
 }
 
-/// True if it stands still in this tick.
+/// True if it stops in this tick.
 bool ArmWorker::ShouldStop(YieldPolicy::Advice advice, const Failure& failure) {
   if (run_ && advice == YieldPolicy::Advice::kGoAround) {
     run_->stages().SeekOtherWay();
@@ -139,8 +139,8 @@ std::string ArmWorker::held() const {
   return arm_.held() && !is_placed ? arm_.held()->part : "";
 }
 
-/// The fingers have lost what they held, or have held it since before this life
-/// began.
+/// Handles fingers that have lost what they held, or that held something before
+/// this process started.
 void ArmWorker::UpdateHeldPart() {
   if (arm_.reading().is_gripping) {
     if (!arm_.held() && !run_) arm_.RecogniseHeld();

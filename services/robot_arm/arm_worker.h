@@ -15,8 +15,8 @@
 namespace cell::robot_arm {
 
 /// One arm at work: does one skill at a time (section VIII-A), and yields to
-/// people and to arms that go first. Pure: what comes out is a function of what
-/// it was told.
+/// people and to arms that go first. Pure: outputs are a function of the
+/// inputs.
 class ArmWorker {
  public:
   using Params = Arm::Params;
@@ -46,7 +46,7 @@ class ArmWorker {
 
   /// Takes the skill, or refuses it: then there is a result at once.
   void Begin(const SkillRequest& request, MotionPermission permission);
-  /// One tick of `dt` [s]: what the arm shall do next.
+  /// One tick of `dt` [s]: returns the arm's next command.
   ArmCommand Step(const ArmReading& reading, MotionPermission permission,
                   double dt);
   /// Of a skill that has ended or was refused since the last call.

@@ -8,7 +8,7 @@ namespace cell::robot_arm {
 namespace {
 
 constexpr double kPeriod = 1;     // [s] then the request was lost
-constexpr double kPatience = 20;  // [s] then nobody plans
+constexpr double kPatience = 20;  // [s] no answer until then: no planner
 
 }  // namespace
 

@@ -19,13 +19,13 @@ class MotionClient {
 
   /// The id that the answer will carry.
   int64_t Ask(MotionRequest request);
-  /// Nobody waits for the answer any more.
+  /// The answer is no longer wanted.
   void Forget(int64_t id) { open_.erase(id); }
   /// The same request once more, if there is no answer yet: it was lost.
   void Repeat(int64_t id);
-  /// False if nobody waits for it.
+  /// False if its request is not open.
   bool Put(const MotionPlan& plan);
-  /// Nothing yet, or nobody has asked.
+  /// nullptr if there is no answer yet, or no such request.
   const MotionPlan* Find(int64_t id) const;
 
   /// What has been asked since the last call.
@@ -54,7 +54,7 @@ class MotionInquiry {
 
   /// `dt` [s] have passed. Asks again now and then, and gives up at last.
   State Step(double dt);
-  /// @pre Step() has said kFound.
+  /// @pre Step() has returned kFound.
   const MotionPlan& plan() const { return *client_.Find(id_); }
   /// Why there is none, after kNone.
   std::string reason() const;

@@ -17,8 +17,8 @@ namespace cell::robot_arm {
 bool HasMoved(const Eigen::Isometry3d& X_WO_before,
               const Eigen::Isometry3d& X_WO_now);
 
-/// Parts that an arm could take where they lie, were nothing that can be moved
-/// near them. Asks anew about parts that have come to rest elsewhere.
+/// Parts that an arm could take where they lie if all movable parts near them
+/// were gone. Asks again about parts that have come to rest elsewhere.
 class ReachableParts {
  public:
   /// All must outlive this object.
@@ -28,7 +28,7 @@ class ReachableParts {
   ReachableParts(const ReachableParts&) = delete;
   ReachableParts& operator=(const ReachableParts&) = delete;
 
-  /// The parts are seen anew.
+  /// New poses of the parts.
   void Update(const std::map<std::string, Eigen::Isometry3d>& poses);
   /// One tick of `dt` [s].
   void Step(double dt);

@@ -161,7 +161,7 @@ bool RobotArm::OnWrench(const wrench_t& message) {
   std::copy_n(message.force, 3, wrench.force.data());
   std::copy_n(message.torque, 3, wrench.torque.data());
   if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return false;
-  wrench_ = {wrench, bus_.now()};  // what the message says need not be true
+  wrench_ = {wrench, bus_.now()};  // the message's stamp may be wrong
   return true;
 }
 
@@ -217,7 +217,7 @@ bool RobotArm::OnPlan(const motion_plan_t& message) {
   if (message.arm != name_) return true;
   const auto plan = FromMessage(message, params_.worker.layout);
   if (!plan) return alerts_.Reject("MOTION_PLAN", plan.reason());
-  // What an earlier life has asked for has ids like this one's.
+  // Requests of an earlier incarnation have ids like this one's.
   if (start_utime_ && message.header.utime >= *start_utime_) {
     worker_->Put(*plan);
   }

@@ -25,10 +25,10 @@
 
 namespace cell::robot_arm {
 
-/// One arm's skills (section VIII): SKILL_REQUEST, TRACKS and what its device
-/// says in; ARM_SETPOINT_<ARM> every tick, ARM_REPORT_<ARM> and SKILL_RESULT
-/// out. Where it can go it asks by MOTION_REQUEST, and stands until there is a
-/// MOTION_PLAN. It moves only while MOTION_PERMIT lets it.
+/// One arm's skills (section VIII): SKILL_REQUEST, TRACKS and messages of its
+/// device in; ARM_SETPOINT_<ARM> every tick, ARM_REPORT_<ARM> and SKILL_RESULT
+/// out. It asks for paths by MOTION_REQUEST, and waits for the MOTION_PLAN. It
+/// moves only while MOTION_PERMIT allows it.
 class RobotArm final : public Service {
  public:
   struct Params {

@@ -12,7 +12,7 @@ struct SafetyDistances {
   /// [m] So near to these it does not even draw back.
   double hands_too_near = 0.05;
   double in_hand = 0.015;       ///< [m] nearer than this a hand holds a part
-  double standing_arm = 0.006;  ///< [m] of another arm that stands
+  double standing_arm = 0.006;  ///< [m] of another arm at rest
   double moving_arm = 0.06;     ///< [m] of another arm that moves
   double patience = 15;         ///< [s] with people's hands at a place
 

@@ -160,7 +160,7 @@ bool SceneMonitor::WouldCollideWithPerson(const ArmPosture& now,
   const double before = distance(here);
   const bool stays = std::ranges::any_of(
       way, [](const auto& ahead) { return !ahead.has_value(); });
-  // So near it does not even draw back: who knows where the hand goes.
+  // So near it does not even draw back: the hand's motion is not known.
   if (before < (stays ? params_.distances.hands_at_work
                       : params_.distances.hands_too_near))
     return true;

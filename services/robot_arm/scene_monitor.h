@@ -41,8 +41,8 @@ class SceneMonitor {
 
   /// The parts' poses [X_WO] from now on.
   void SetParts(const std::map<std::string, Eigen::Isometry3d>& poses);
-  /// How another arm stands, and whether its fingers hold something. One that
-  /// is not known is ignored.
+  /// The posture of another arm, and whether its fingers hold something.
+  /// Ignores an unknown arm.
   void SetOther(const std::string& arm, const ArmPosture& posture,
                 bool is_gripping);
   void SetHeld(const std::optional<HeldPart>& held);

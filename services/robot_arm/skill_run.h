@@ -45,9 +45,9 @@ class SkillRun {
 
   void Add(const Phase& phase, std::function<StageRunner::Made()> make,
            std::function<void()> then = {});
-  /// Where the part goes next tells which grasps are good.
+  /// Grasps are rated by where the part goes next.
   using TargetMaker = std::function<Result<PlaceTarget>()>;
-  /// Until the fingers hold the part, where it stands.
+  /// Until the fingers hold the part, in its place.
   void Grasp(const TargetMaker& target = {});
   /// The same, and lifts it.
   void Take(const TargetMaker& target = {});

@@ -20,8 +20,8 @@ struct Failure {
 };
 
 /// One stretch of a skill that runs tick by tick: a motion, the fingers, a
-/// contact. It changes the command and says when it is over. While the arm is
-/// frozen it is not called; `dt` [s] of its time has passed since it was.
+/// contact. It changes the command and returns whether it is over. It is not
+/// called while the arm is frozen; `dt` [s] excludes the time that it was.
 class SkillStage {
  public:
   enum class State {

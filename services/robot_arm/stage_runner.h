@@ -34,10 +34,9 @@ class StageRunner {
   /// `dt` [s] of the arm's time. After kDone or kFailed there is nothing left
   /// to run until more is added.
   Status Step(const ArmReading& reading, double dt, ArmCommand* command);
-  /// Looks for another way of the stage that runs, while the arm stands.
+  /// Looks for another path of the running stage while the arm is at rest.
   void SeekOtherWay();
-  /// Takes it once it is known; `dt` [s] have passed, and the arm has stood
-  /// still.
+  /// Takes it once it is known; `dt` [s] have passed with the arm at rest.
   void TryOtherWay(double dt);
 
   /// Where the joints will be after these times [s]; none if nothing runs.

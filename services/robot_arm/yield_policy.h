@@ -2,9 +2,9 @@
 
 namespace cell::robot_arm {
 
-/// What an arm does whose way another arm is in. One of the two tries again
-/// later, so that they do not start and stop each other for ever, and gives up
-/// sooner, which makes room for the first. Pure.
+/// What an arm does when another arm blocks its path. One of the two tries
+/// again later, so that they do not start and stop each other endlessly, and
+/// gives up sooner, which makes room for the other. Pure.
 class YieldPolicy {
  public:
   enum class Advice {

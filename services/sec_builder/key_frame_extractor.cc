@@ -1,9 +1,35 @@
 #include "services/sec_builder/key_frame_extractor.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace cell::sec_builder {
+namespace {
+
+// X_WO of what the tracks, or the table, are; nullopt if it is not there.
+std::optional<Eigen::Isometry3d> PoseOf(const std::string& name,
+                                        const Tracks& tracks) {
+  if (name == SceneObjects::kTable) return Eigen::Isometry3d::Identity();
+  const Track* track = tracks.Find(name);
+  if (track == nullptr || track->state == Track::State::kLost) {
+    return std::nullopt;
+  }
+  return track->X_WO;
+}
+
+void AddRelativePoses(const Tracks& tracks, KeyFrame* frame) {
+  for (const auto& [pair, relation] : frame->relations) {
+    if (!Touch(frame->relations, pair.first, pair.second)) continue;
+    const auto X_WA = PoseOf(pair.first, tracks);
+    const auto X_WB = PoseOf(pair.second, tracks);
+    if (X_WA && X_WB) {
+      frame->relative_poses.emplace(pair, X_WA->inverse() * *X_WB);
+    }
+  }
+}
+
+}  // namespace
 
 KeyFrameExtractor::KeyFrameExtractor(const SceneObjects& scene_objects,
                                      const Params& params)
@@ -87,7 +113,7 @@ void KeyFrameExtractor::UpdatePairs(int64_t utime,
 bool KeyFrameExtractor::IsOpen(int64_t utime, int64_t window_end) const {
   return utime < window_end ||
          std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
-           const auto since = entry.second.pending_since();
+           const auto since = entry.second.pending_since(utime);
            return since && *since <= window_end && !IsOfHandsAlone(entry.first);
          });
 }
@@ -120,7 +146,24 @@ KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
       frame.poses.emplace(track.name, track.X_WO);
     }
   }
+  AddRelativePoses(tracks, &frame);
+  frame.segment = {last_utime_.value_or(utime), ChannelsOfSegment()};
+  last_utime_ = utime;
+  last_graph_ = graph_;
   return frame;
+}
+
+// Of arms whose hand touches something before or after the change.
+std::vector<std::string> KeyFrameExtractor::ChannelsOfSegment() const {
+  std::set<std::string> channels = {"TRACKS"};
+  for (const auto& [hand, of_arm] : params_.channels) {
+    for (const std::string& name : scene_objects_.names()) {
+      if (Touch(last_graph_, hand, name) || Touch(graph_, hand, name)) {
+        channels.insert(of_arm.begin(), of_arm.end());
+      }
+    }
+  }
+  return {channels.begin(), channels.end()};
 }
 
 }  // namespace cell::sec_builder

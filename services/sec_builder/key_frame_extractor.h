@@ -27,6 +27,9 @@ class KeyFrameExtractor {
     PairFilter::Params pair;
     int64_t merge_us = 150'000;     ///< changes so near in time are one
     int64_t absent_us = 1'000'000;  ///< without a track for so long: gone
+    /// Channels with the trajectory and the forces of the arm that a hand
+    /// belongs to, by hand; none of a person's.
+    std::map<std::string, std::vector<std::string>> channels = {};
   };
 
   KeyFrameExtractor(const SceneObjects& scene_objects, const Params& params);
@@ -51,6 +54,7 @@ class KeyFrameExtractor {
   bool IsOpen(int64_t utime, int64_t window_end) const;
   std::optional<KeyFrame> NextKeyFrame(const Tracks& tracks);
   KeyFrame MakeKeyFrame(int64_t utime, const Tracks& tracks);
+  std::vector<std::string> ChannelsOfSegment() const;
 
   SceneObjects scene_objects_;
   Params params_;
@@ -59,6 +63,8 @@ class KeyFrameExtractor {
   std::vector<Change> changes_;  // confirmed, not yet in a key frame
   TouchGraph graph_;             // of the last key frame
   std::optional<int64_t> first_utime_;
+  TouchGraph last_graph_;              // of the key frame before that
+  std::optional<int64_t> last_utime_;  // of the last key frame
   int num_frames_ = 0;
   int64_t next_index_ = 0;
 };

@@ -18,12 +18,18 @@ Relation PairFilter::Shown(const Proximity& proximity) const {
 std::optional<PairFilter::Change> PairFilter::See(int64_t utime,
                                                   const Proximity& proximity) {
   const Relation shown = Shown(proximity);
+  const bool is_near = proximity.distance < params_.touch;
+  if (is_near || relation_ == Relation::kNotTouching) {
+    apart_since_.reset();
+  } else if (!apart_since_) {
+    apart_since_ = utime;
+  }
   if (shown == relation_) {
     candidate_.reset();
     return std::nullopt;
   }
   if (!candidate_ || candidate_->relation != shown) {
-    candidate_ = Change{utime, shown};
+    candidate_ = Change{OnsetOf(utime, shown), shown};
     num_seen_ = 0;
   }
   if (++num_seen_ < params_.confirm_frames) return std::nullopt;
@@ -32,15 +38,29 @@ std::optional<PairFilter::Change> PairFilter::See(int64_t utime,
 }
 
 std::optional<PairFilter::Change> PairFilter::Lose(int64_t utime) {
-  candidate_.reset();
+  Hide();
   if (relation_ == Relation::kAbsent) return std::nullopt;
   relation_ = Relation::kAbsent;
   return Change{utime, relation_};
 }
 
-std::optional<int64_t> PairFilter::pending_since() const {
-  if (!candidate_) return std::nullopt;
-  return candidate_->onset;
+void PairFilter::Hide() {
+  candidate_.reset();
+  apart_since_.reset();
+}
+
+int64_t PairFilter::OnsetOf(int64_t utime, Relation shown) const {
+  const bool is_backdated = shown == Relation::kNotTouching && apart_since_ &&
+                            utime - *apart_since_ <= params_.backdate_us;
+  return is_backdated ? *apart_since_ : utime;
+}
+
+std::optional<int64_t> PairFilter::pending_since(int64_t utime) const {
+  if (candidate_) return candidate_->onset;
+  if (!apart_since_ || utime - *apart_since_ >= params_.backdate_us) {
+    return std::nullopt;
+  }
+  return apart_since_;
 }
 
 }  // namespace cell::sec_builder

@@ -18,6 +18,9 @@ class PairFilter {
     /// [m] What is inside by slack >= 0 overlaps until it sticks out by this.
     double stick_out = 0.006;
     int confirm_frames = 2;  ///< a change seen in fewer is flicker
+    /// [us] A release is dated back to the first frame beyond `touch`, if that
+    /// was not longer before the first one beyond `release`; 0: never.
+    int64_t backdate_us = 0;
   };
   struct Change {
     int64_t onset = 0;  ///< [us] first frame that showed it
@@ -32,20 +35,23 @@ class PairFilter {
   /// The change that is confirmed by what is seen at `utime`, if any.
   std::optional<Change> See(int64_t utime, const Proximity& proximity);
   /// The pair cannot be seen now: what is known of it holds.
-  void Hide() { candidate_.reset(); }
+  void Hide();
   /// One of the pair is gone.
   std::optional<Change> Lose(int64_t utime);
 
   Relation relation() const { return relation_; }
-  /// When the change began that is not yet confirmed.
-  std::optional<int64_t> pending_since() const;
+  /// When the change began that is not yet confirmed at `utime`, or a release
+  /// that may still come and be dated back.
+  std::optional<int64_t> pending_since(int64_t utime) const;
 
  private:
   Relation Shown(const Proximity& proximity) const;
+  int64_t OnsetOf(int64_t utime, Relation shown) const;
 
   Params params_;
   Relation relation_ = Relation::kAbsent;
   std::optional<Change> candidate_;
+  std::optional<int64_t> apart_since_;  // in touch, and beyond `touch`
   int num_seen_ = 0;  // frames in a row that showed the candidate
 };
 

@@ -7,25 +7,16 @@
 #include "common/bus/bus.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "common/parts/part_table.h"
 #include "common/scene/scene_objects.h"
-#include "services/sec_builder/key_frame_extractor.h"
-#include "services/sec_builder/proximity.h"
+#include "services/sec_builder/key_frame_builder.h"
 
 namespace cell::sec_builder {
 
 /// TRACKS -> KEY_FRAME: the semantic event chain of an episode (section V-B).
 class SecBuilder final : public Service {
  public:
-  struct Params {
-    SceneObjects scene_objects;
-    PartTable parts;
-    ProximitySensor::Params proximity;
-    KeyFrameExtractor::Params extractor;
-  };
-
   /// `bus` must outlive this object.
-  SecBuilder(Bus& bus, const Params& params);
+  SecBuilder(Bus& bus, const KeyFrameBuilder::Params& params);
 
  private:
   bool OnEpisode(const episode_t& message);
@@ -34,9 +25,7 @@ class SecBuilder final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   SceneObjects scene_objects_;
-  KeyFrameExtractor::Params extractor_params_;
-  ProximitySensor sensor_;
-  KeyFrameExtractor extractor_;         // of the episode
+  KeyFrameBuilder builder_;             // of the episode
   std::optional<int64_t> last_utime_;   // of its tracks
   std::optional<int64_t> first_index_;  // of its key frames
 };

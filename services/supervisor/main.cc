@@ -1,4 +1,4 @@
-// supervisor: says whether arms may move, and what is wrong.
+// supervisor: decides whether arms may move, and reports faults.
 #include "common/node/run_service.h"
 #include "services/supervisor/supervisor.h"
 

@@ -12,17 +12,19 @@ SafetyMonitor::SafetyMonitor(StopPolicy table, int64_t now)
   for (HoldRow& row : table.rows) rows_.push_back({std::move(row), now});
 }
 
-void SafetyMonitor::Hear(const std::string& service, int64_t now) {
+void SafetyMonitor::OnMessage(const std::string& service, int64_t now) {
   const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) {
     return row.row.service == service;
   });
   if (it != rows_.end()) it->heard = now;
 }
 
-void SafetyMonitor::OnIncarnation(const std::string& service, int32_t life) {
-  const auto [known, is_first] = incarnations_.try_emplace(service, life);
-  if (is_first || life <= known->second) return;
-  known->second = life;
+void SafetyMonitor::OnIncarnation(const std::string& service,
+                                  int32_t incarnation) {
+  const auto [known, is_first] =
+      incarnations_.try_emplace(service, incarnation);
+  if (is_first || incarnation <= known->second) return;
+  known->second = incarnation;
   Note(AlertLevel::kWarning, Event::Cause::kRestarted,
        service + " has restarted and lost the work in progress");
 }

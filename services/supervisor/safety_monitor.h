@@ -34,21 +34,21 @@ struct Event {
   std::string text;
 };
 
-/// Decides whether arms may move. A hold ends by itself when the service that
-/// was silent speaks again; an operator's and one after a protective stop end
-/// when the operator says so. Times in us.
+/// Decides whether arms may move. A hold ends by itself when the silent service
+/// publishes again; an operator's hold and one after a protective stop end when
+/// the operator resumes. Times in us.
 class SafetyMonitor {
  public:
   enum class Agent { kPerson, kRobot };
 
-  /// Services have been heard `now`, so that none is thought dead at once.
+  /// Counts all services as heard at `now`, so that none is dead at once.
   SafetyMonitor(StopPolicy table, int64_t now);
 
   /// Of a service that is not in the table: nothing.
-  void Hear(const std::string& service, int64_t now);
-  /// The service, in the table or not, has said which life it lives: one that
-  /// follows another has forgotten what it was doing.
-  void OnIncarnation(const std::string& service, int32_t life);
+  void OnMessage(const std::string& service, int64_t now);
+  /// The service, in the table or not, has reported its incarnation: a new one
+  /// has lost its state.
+  void OnIncarnation(const std::string& service, int32_t incarnation);
   /// Nothing: no episode.
   void SetAgent(std::optional<Agent> agent) { agent_ = agent; }
   void HoldByOperator();

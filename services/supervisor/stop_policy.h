@@ -12,7 +12,7 @@ namespace cell::supervisor {
 /// When arms stop; the later ones are stronger.
 enum class Hold {
   kNone,
-  kAtBoundary,  ///< what runs is finished, nothing is begun
+  kAtBoundary,  ///< running skills are finished, none is begun
   kAtOnce       ///< set-points freeze
 };
 

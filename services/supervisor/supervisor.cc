@@ -16,8 +16,8 @@ namespace {
 
 constexpr char kName[] = "supervisor";
 constexpr char kArmService[] = "robot_arm@";
-/// Twice a second: a slow service is woken by messages alone, and has to be
-/// heard in time.
+/// Twice a second: a slow service is activated by messages alone, and has to
+/// report often enough.
 constexpr int32_t kModePeriod = 62, kModePhase = 31;
 /// A skill that ends so soon after a hold was ended by it.
 constexpr int64_t kAfterHoldUs = 200'000;
@@ -117,18 +117,19 @@ bool Supervisor::OnStatus(const status_t& message) {
   if (std::find(names.begin(), names.end(), message.service) == names.end()) {
     return false;
   }
-  Watch().Hear(message.service, bus_.now());
-  const int32_t life = message.header.sender / kMaxServices;
-  // Its own first word, too, tells a supervisor that it is not the first one.
-  if (message.service == kName && life > 0) Watch().OnIncarnation(kName, 0);
-  Watch().OnIncarnation(message.service, life);
+  Watch().OnMessage(message.service, bus_.now());
+  const int32_t incarnation = message.header.sender / kMaxServices;
+  // A supervisor learns from its own first message that it is a restarted one.
+  if (message.service == kName && incarnation > 0)
+    Watch().OnIncarnation(kName, 0);
+  Watch().OnIncarnation(message.service, incarnation);
   return true;
 }
 
 bool Supervisor::OnReport(const std::string& arm, const arm_report_t& message) {
   if (message.arm != arm) return false;
-  Watch().Hear(kArmService + arm, bus_.now());
-  // Its first report tells what a supervisor before this one was told.
+  Watch().OnMessage(kArmService + arm, bus_.now());
+  // Its first report holds what an earlier supervisor has received.
   const bool is_first = reporting_.insert(arm).second;
   if (is_first && message.is_held_by_operator) Watch().HoldByOperator();
   return true;
@@ -166,7 +167,7 @@ bool Supervisor::OnResult(const skill_result_t& message) {
       std::find(arms.begin(), arms.end(), message.arm) == arms.end()) {
     return false;
   }
-  Watch().Hear(kArmService + message.arm, bus_.now());
+  Watch().OnMessage(kArmService + message.arm, bus_.now());
   const bool was_held =
       held_utime_ && bus_.now() - *held_utime_ <= kAfterHoldUs;
   if (message.outcome == skill_result_t::STOPPED && !was_held) {
@@ -176,9 +177,9 @@ bool Supervisor::OnResult(const skill_result_t& message) {
   return true;
 }
 
-/// No permit before every arm was seen: one that has stopped while nobody
-/// looked, or that knows of an operator's hold, must not take the first permit
-/// for the operator's leave.
+/// No permit before every arm has reported: one that stopped unseen, or that
+/// knows of an operator's hold, must not take the first permit for the
+/// operator's resume.
 void Supervisor::OnTick() {
   for (const std::string& arm : std::exchange(stopped_, {})) {
     const auto why = why_.find(arm);
@@ -191,7 +192,7 @@ void Supervisor::OnTick() {
   const size_t num_arms = params_.arms.size();
   if (servos_.size() == num_arms && reporting_.size() == num_arms) {
     PublishPermit(operation);
-    if (told_ != operation) PublishMode(operation);
+    if (reported_ != operation) PublishMode(operation);
   }
 }
 
@@ -207,7 +208,7 @@ void Supervisor::PublishPermit(const Operation& operation) {
 }
 
 void Supervisor::PublishMode(const Operation& operation) {
-  told_ = operation;
+  reported_ = operation;
   operating_mode_t message{};
   message.header.utime = bus_.now();
   message.mode = static_cast<int8_t>(operation.mode);

@@ -60,7 +60,7 @@ class Supervisor final : public Service {
   std::map<std::string, std::string> why_;  // they have stopped, by arm
   std::set<std::string> reporting_;         // arms
   std::optional<int64_t> held_utime_;       // last time of a hold
-  std::optional<Operation> told_;
+  std::optional<Operation> reported_;
 };
 
 std::unique_ptr<Service> MakeSupervisor(Bus& bus, const Deployment& deployment);

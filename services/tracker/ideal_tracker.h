@@ -26,8 +26,8 @@ class IdealTracker {
   IdealTracker(const SceneObjects& scene_objects, const CellLayout& layout,
                const Params& params);
 
-  /// A track of every part that is there, and of every hand of which all
-  /// bodies are.
+  /// A track of every part in `truth`, and of every hand with all its bodies
+  /// there.
   Tracks Update(const TruthPoses& truth) const;
 
  private:

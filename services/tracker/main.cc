@@ -1,4 +1,4 @@
-// tracker: says where parts and hands are.
+// tracker: publishes the poses of parts and hands.
 #include "common/node/run_service.h"
 #include "services/tracker/tracker.h"
 

@@ -119,6 +119,7 @@ void Demonstrator::PlanEvents() {
   if (!script_->lay_outside.empty()) {
     plan(EventKind::kLayOutside, 0, std::max(0, count - 3));
   }
+  if (!script_->lay_down.empty()) events_.push_back({EventKind::kLayDown, 0});
   std::ranges::stable_sort(events_, {}, &Event::when);
 }
 
@@ -339,6 +340,8 @@ bool Demonstrator::Start(EventKind kind, World& world) {
       return PlaceTooEarly(world);
     case EventKind::kLayOutside:
       return LayOutside(world);
+    case EventKind::kLayDown:
+      return LayDown(world);
   }
   return false;
 }
@@ -389,14 +392,8 @@ bool Demonstrator::PlaceTooEarly(World& world) {
 }
 
 bool Demonstrator::LayOutside(World& world) {
-  std::vector<std::string> parts;
-  for (const std::string& type : script_->lay_outside) {
-    for (const std::string& part : FreeParts(type, world)) {
-      parts.push_back(part);
-    }
-  }
-  if (parts.empty()) return false;
-  const std::string& part = AnyOf(parts);
+  const auto part = AnyFreePart(script_->lay_outside, world);
+  if (!part) return false;
   const CellLayout& layout = world.layout();
   std::uniform_real_distribution<double> unit(-0.5, 0.5);
   Target target;
@@ -407,9 +404,31 @@ bool Demonstrator::LayOutside(World& world) {
       AngleAxisd(2 * std::numbers::pi * unit(random_), Vector3d::UnitZ())
           .toRotationMatrix();
   target.tilt = kLayTilt;
-  PutOnTable(part, "", target);
+  PutOnTable(*part, "", target);
   is_over_ = true;
   return true;
+}
+
+bool Demonstrator::LayDown(World& world) {
+  const auto part = AnyFreePart(script_->lay_down, world);
+  if (!part) return false;
+  const auto X_WO = PlaceFor(*part, kMinMove, world);
+  if (!X_WO) return false;
+  PutOnTable(*part, "", {nullptr, "", *X_WO, kLayTilt});
+  is_over_ = true;
+  return true;
+}
+
+std::optional<std::string> Demonstrator::AnyFreePart(
+    const std::vector<std::string>& types, const World& world) {
+  std::vector<std::string> parts;
+  for (const std::string& type : types) {
+    for (const std::string& part : FreeParts(type, world)) {
+      parts.push_back(part);
+    }
+  }
+  if (parts.empty()) return std::nullopt;
+  return AnyOf(parts);
 }
 
 std::optional<Isometry3d> Demonstrator::PlaceFor(const std::string& part,

@@ -39,7 +39,13 @@ class Demonstrator {
     enum class State { kOpen, kClaimed, kDone } state = State::kOpen;
     std::string part;  // unless it is open
   };
-  enum class EventKind { kTakeBack, kUnknownMove, kTooEarly, kLayOutside };
+  enum class EventKind {
+    kTakeBack,
+    kUnknownMove,
+    kTooEarly,
+    kLayOutside,
+    kLayDown
+  };
   struct Event {
     EventKind kind;
     int when;  // placements done before it
@@ -59,6 +65,10 @@ class Demonstrator {
   bool MoveAside(World& world);
   bool PlaceTooEarly(World& world);
   bool LayOutside(World& world);
+  bool LayDown(World& world);
+  /// One of the free parts of these types; nothing if there is none.
+  std::optional<std::string> AnyFreePart(const std::vector<std::string>& types,
+                                         const World& world);
   void PlaceNext(Hand& hand, World& world);
   bool StartPlacing(Hand& hand, size_t index, bool only_fetch, World& world);
   void CarryOn(Hand& hand, World& world);

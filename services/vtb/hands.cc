@@ -224,6 +224,11 @@ void Hands::Step(size_t index, double fraction, double duration) {
        state.roll + (fraction + lead) * (state.roll_goal - state.roll));
 }
 
+Isometry3d Hands::PlaceOf(const HandType::Grip& grip, size_t box,
+                          double opening) {
+  return HandType::PlaceOf(grip, box, opening - 2 * kFingerGive);
+}
+
 void Hands::Put(size_t index, const Isometry3d& X_WG, double opening) {
   const Fixture& fixture = fixtures_[index];
   const auto set = [&](int mocap, const Isometry3d& X_WB) {
@@ -234,7 +239,7 @@ void Hands::Put(size_t index, const Isometry3d& X_WG, double opening) {
   const HandType::Grip& grip = fixture.type->grips[states_[index].grip];
   for (size_t i = 0; i < grip.places.size(); ++i) {
     set(fixture.mocap + 1 + static_cast<int>(i),
-        X_WG * HandType::PlaceOf(grip, i, opening - 2 * kFingerGive));
+        X_WG * PlaceOf(grip, i, opening));
   }
 }
 

@@ -71,6 +71,9 @@ class Hands {
   Wrench WrenchOn(const std::string& hand) const;
   /// The boxes, in the order of the layout.
   std::vector<BodyPose> Bodies() const;
+  /// Pose of a box in G; fingers sink a little into what they hold.
+  static Eigen::Isometry3d PlaceOf(const HandType::Grip& grip, size_t box,
+                                   double opening);
 
   /// A step of the physics is to come: `fraction` of the way through a Run()
   /// of `duration` [s].

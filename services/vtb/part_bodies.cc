@@ -21,6 +21,8 @@ PartBodies::PartBodies(const PartTable& table, const CellLayout& layout,
     if (joint >= 0) {
       body.qpos = model.jnt_qposadr[joint];
       body.dof = model.jnt_dofadr[joint];
+      body.num_positions = part.joint ? 1 : 7;
+      body.num_dofs = part.joint ? 1 : 6;
     }
     body.centre = MomentsOf(part.pieces).centre;
   }

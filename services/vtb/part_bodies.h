@@ -16,7 +16,8 @@ class PartBodies {
  public:
   struct Body {
     int id = 0;
-    int qpos = -1, dof = -1;  ///< addresses of its joint; -1: fixed
+    int qpos = -1, dof = -1;              ///< addresses of its joint; -1: fixed
+    int num_positions = 0, num_dofs = 0;  ///< there
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of mass, in O
   };
 

@@ -65,6 +65,7 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
                              const PartTable& table) {
   PlacementRule rule;
   rule.name = name;
+  rule.called = config.GetOr<std::string>("called", "");
   rule.part_type = config.Get<std::string>("part");
   rule.site_type = config.Get<std::string>("site");
   if (!AnyIs(table.parts(), rule.part_type, &Part::type)) {
@@ -151,6 +152,7 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
     script.too_early = config.Get<std::string>("too_early");
   }
   script.lay_outside = NamesOf(config, "lay_outside");
+  script.lay_down = NamesOf(config, "lay_down");
   if (config.Has("disturbance")) {
     script.disturbance = DisturbanceFromConfig(config["disturbance"]);
   }
@@ -185,9 +187,12 @@ void CheckAfter(const Config& config, const Demonstrations& demonstrations) {
 
 void CheckScript(const Config& config, const Script& script,
                  const Demonstrations& demonstrations, const PartTable& table) {
-  for (const std::string& type : script.lay_outside) {
-    if (!AnyIs(table.parts(), type, &Part::type)) {
-      config["lay_outside"].Fail("no part is of type '" + type + "'");
+  const std::pair<const char*, const std::vector<std::string>*> lists[] = {
+      {"lay_outside", &script.lay_outside}, {"lay_down", &script.lay_down}};
+  for (const auto& [key, types] : lists) {
+    for (const std::string& type : *types) {
+      if (AnyIs(table.parts(), type, &Part::type)) continue;
+      config[key].Fail("no part is of type '" + type + "'");
     }
   }
   const auto check = [&](const std::string& key, const std::string& rule) {
@@ -221,6 +226,20 @@ std::vector<std::string> LoadDefault(const Config& config,
   return names;
 }
 
+std::vector<std::string> TeachingFromConfig(
+    const Config& config, const Demonstrations& demonstrations) {
+  std::vector<std::string> teaching;
+  for (const auto& [name, entry] : config.Entries()) {
+    if (!demonstrations.scripts.contains(name)) {
+      entry.Fail("no script '" + name + "'");
+    }
+    constexpr int kMost = 100;
+    teaching.insert(teaching.end(),
+                    static_cast<size_t>(config.Integer(name, 1, kMost)), name);
+  }
+  return teaching;
+}
+
 }  // namespace
 
 Demonstrations Demonstrations::FromConfig(const Config& config,
@@ -228,6 +247,7 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
   Demonstrations demonstrations;
   demonstrations.goal = config.Get<std::string>("goal");
   demonstrations.human_motion = HumanMotionFromConfig(config["human_motion"]);
+  demonstrations.raising = config.GetOr<std::string>("raising", "");
   for (const auto& [name, entry] : config["placements"].Entries()) {
     demonstrations.rules.emplace(name, RuleFromConfig(entry, name, table));
   }
@@ -239,6 +259,10 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
   }
   demonstrations.default_episodes =
       LoadDefault(config["default"], demonstrations);
+  if (config.Has("teaching")) {
+    demonstrations.teaching =
+        TeachingFromConfig(config["teaching"], demonstrations);
+  }
   config.Finish();
   return demonstrations;
 }

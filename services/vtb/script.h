@@ -17,6 +17,8 @@ namespace cell::vtb {
 /// "Parts of this type go to sites of that type."
 struct PlacementRule {
   std::string name;
+  /// What the person calls the action, if asked; empty: nothing.
+  std::string called;
   std::string part_type;
   std::string site_type;
   std::vector<std::string> after;  ///< rules whose parts must be in place
@@ -61,6 +63,8 @@ struct Script {
   std::optional<Disturbance> disturbance;
   /// Part types of which one is laid down outside the workspace, at the end.
   std::vector<std::string> lay_outside;
+  /// Part types of which one is laid down in the parts area; that is all.
+  std::vector<std::string> lay_down;
 };
 
 /// How persons move. Ranges are sampled evenly.
@@ -86,6 +90,11 @@ struct Demonstrations {
   /// Scripts of a run that is told none, an episode each.
   std::vector<std::string> default_episodes;
   HumanMotionParams human_motion;
+  /// Scripts that show a cell all its actions, one demonstration each.
+  std::vector<std::string> teaching;
+  /// What the person calls the action that laying a part down undoes; empty:
+  /// nothing.
+  std::string raising;
   std::map<std::string, PlacementRule> rules;
   std::map<std::string, Script> scripts;
 

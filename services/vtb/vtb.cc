@@ -365,6 +365,7 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   params.physics.friction = config.Number("friction", 0, 2);
   params.physics.grip_time_constant =
       1e-3 * config.Number("grip_time_constant_ms", 2, 200);
+  params.physics.sleep = config.Get<bool>("sleep");
   const double patience = config.Number("operator_patience_s", 1, 86400);
   if (!deployment.has_operator) {
     params.operator_patience = static_cast<int32_t>(patience / kTick);

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "services/vtb/mujoco_pose.h"
 
@@ -90,6 +88,8 @@ World::World(const PartTable& table, const CellLayout& layout,
   }
   hands_ =
       std::make_unique<Hands>(*table_, *layout_, *bodies_, *model_, *data_);
+  sleeping_ = std::make_unique<SleepingBodies>(
+      *table_, *layout_, *bodies_, *hands_, *model_, *data_, params_.sleep);
   Reset();
 }
 
@@ -101,6 +101,7 @@ void World::Reset() {
   mj_resetData(model_.get(), data_.get());
   std::fill_n(model_->eq_active, model_->neq, mjtByte{0});
   hands_->Reset();
+  sleeping_->Reset();
   for (ThreadJoint& joint : threads_) joint.engagement.Restore({});
 }
 
@@ -113,6 +114,7 @@ void World::Place(const std::string& part, const Isometry3d& X_WO) {
   if (!table_->parts()[index].is_free()) {
     throw std::invalid_argument(part + " is fixed or moves on a joint");
   }
+  sleeping_->Wake(index);
   const int address = (*bodies_)[index].qpos;
   PoseToMujoco(X_WO, data_->qpos + address, data_->qpos + address + 3);
 }
@@ -126,7 +128,9 @@ size_t World::ArticulatedIndex(const std::string& part) const {
 }
 
 void World::SetJoint(const std::string& part, double position) {
-  const PartBodies::Body& body = (*bodies_)[ArticulatedIndex(part)];
+  const size_t index = ArticulatedIndex(part);
+  sleeping_->Wake(index);
+  const PartBodies::Body& body = (*bodies_)[index];
   data_->qpos[body.qpos] = position;
   data_->qvel[body.dof] = 0;
 }
@@ -138,15 +142,26 @@ double World::JointOf(const std::string& part) const {
 void World::Run(int num_steps) {
   const double duration = num_steps * params_.dt;
   hands_->BeforeRun();
+  sleeping_->BeforeRun(duration);
   for (int step = 1; step <= num_steps; ++step) {
     const double fraction = static_cast<double>(step) / num_steps;
     hands_->BeforeStep(fraction, duration);
-    for (ThreadJoint& joint : threads_) StepThread(joint);
-    mj_step(model_.get(), data_.get());
+    sleeping_->BeforeStep();
+    Step();
     hands_->AfterStep();
   }
   CheckPhysics();
   hands_->AfterRun();
+}
+
+void World::Step() {
+  if (sleeping_->AreAllAsleep()) {
+    data_->time += model_->opt.timestep;
+    return;
+  }
+  for (ThreadJoint& joint : threads_) StepThread(joint);
+  mj_step(model_.get(), data_.get());
+  sleeping_->AfterStep();
 }
 
 /// MuJoCo goes on after an overflow or an explosion; results would be nonsense.
@@ -177,7 +192,8 @@ void World::StepThread(ThreadJoint& joint) {
     Eigen::Map<Vector3d>(anchors + 3, 3) =
         AlongZ(-joint.engagement.memory().remaining) * p_S;
   }
-  const bool is_frozen = state == ThreadEngagement::State::kFrozen;
+  const bool is_frozen = state == ThreadEngagement::State::kFrozen &&
+                         !sleeping_->IsAsleep(static_cast<size_t>(joint.part));
   model_->eq_active[joint.freeze] = is_frozen;
   if (is_frozen) {
     SetWeld(X_HS * joint.engagement.X_SO(),
@@ -188,9 +204,6 @@ void World::StepThread(ThreadJoint& joint) {
 
 double World::time() const {
   return data_->time;
-}
-int World::num_contacts() const {
-  return data_->ncon;
 }
 
 Isometry3d World::PoseAt(int part) const {
@@ -203,6 +216,10 @@ Isometry3d World::PoseOf(const std::string& part) const {
 
 double World::SpeedOf(const std::string& part) const {
   return bodies_->SpeedOf(bodies_->IndexOf(part), *data_);
+}
+
+bool World::IsAsleep(const std::string& part) const {
+  return sleeping_->IsAsleep(bodies_->IndexOf(part));
 }
 
 const World::ThreadJoint* World::FindJoint(const std::string& site,
@@ -238,31 +255,7 @@ std::vector<BodyPose> World::Bodies() const {
 }
 
 std::vector<BodyContact> World::Contacts() const {
-  std::map<std::pair<std::string, std::string>, BodyContact> pairs;
-  for (int i = 0; i < data_->ncon; ++i) {
-    const mjContact& contact = data_->contact[i];
-    const auto name = [&](int geom) -> std::string {
-      const int body = model_->geom_bodyid[geom];
-      return body == 0 ? kTableName
-                       : mj_id2name(model_.get(), mjOBJ_BODY, body);
-    };
-    std::string first = name(contact.geom1), second = name(contact.geom2);
-    if (second < first) std::swap(first, second);
-    const auto [it, is_new] = pairs.try_emplace({first, second});
-    BodyContact& pair = it->second;
-    mjtNum force[6];
-    mj_contactForce(model_.get(), data_.get(), i, force);
-    pair.normal_force += force[0];
-    if (is_new || contact.dist < pair.distance) {
-      pair.first = first;
-      pair.second = second;
-      pair.distance = contact.dist;
-      pair.p_W = Vector3d(contact.pos[0], contact.pos[1], contact.pos[2]);
-    }
-  }
-  std::vector<BodyContact> contacts;
-  for (auto& [names, contact] : pairs) contacts.push_back(std::move(contact));
-  return contacts;
+  return sleeping_->Contacts();
 }
 
 World::Snapshot World::Save() const {
@@ -276,6 +269,7 @@ World::Snapshot World::Save() const {
   for (const ThreadJoint& joint : threads_) {
     snapshot.threads.push_back(joint.engagement.memory());
   }
+  snapshot.sleeping = sleeping_->memory();
   return snapshot;
 }
 
@@ -291,6 +285,7 @@ void World::Restore(const Snapshot& snapshot) {
   for (size_t i = 0; i < threads_.size(); ++i) {
     threads_[i].engagement.Restore(snapshot.threads.at(i));
   }
+  sleeping_->Restore(snapshot.sleeping);
 }
 
 }  // namespace cell::vtb

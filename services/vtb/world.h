@@ -10,20 +10,14 @@
 
 #include "common/layout/cell_layout.h"
 #include "common/parts/part_table.h"
+#include "services/vtb/body_contacts.h"
 #include "services/vtb/hands.h"
 #include "services/vtb/part_bodies.h"
+#include "services/vtb/sleeping_bodies.h"
 #include "services/vtb/thread_engagement.h"
 #include "services/vtb/world_xml.h"
 
 namespace cell::vtb {
-
-/// Two bodies that touch; hands touch without pushing.
-struct BodyContact {
-  std::string first, second;                      ///< first < second
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< of the deepest point
-  double distance = 0;                            ///< [m] negative: penetration
-  double normal_force = 0;  ///< [N] sum over the pair's points
-};
 
 /// The physics of the cell (section IV): parts under gravity and contact, a
 /// kinematic person's hands, grips and threads. Deterministic bit for bit.
@@ -57,20 +51,23 @@ class World {
   void Run(int num_steps);
 
   double time() const;
-  int num_contacts() const;
   Eigen::Isometry3d PoseOf(const std::string& part) const;
   /// [m/s] Of its origin; of an articulated part, of its handle.
   double SpeedOf(const std::string& part) const;
   /// [rad] or [m] Of an articulated part.
   /// @throws std::invalid_argument for another one.
   double JointOf(const std::string& part) const;
+  /// True if the part is at rest, costs no contacts and keeps its pose bit for
+  /// bit until something comes near.
+  bool IsAsleep(const std::string& part) const;
   /// True if a thread has taken hold of the part.
   bool IsOnThread(const std::string& site, const std::string& part) const;
   /// True if a thread's last turn has been made.
   bool IsTurnedHome(const std::string& site, const std::string& part) const;
   /// Parts and the boxes of the hands, in the order of the tables.
   std::vector<BodyPose> Bodies() const;
-  /// As of the last step; by (first, second).
+  /// As of the last step, of parts asleep when they fell asleep; by (first,
+  /// second).
   std::vector<BodyContact> Contacts() const;
 
   Snapshot Save() const;
@@ -96,6 +93,7 @@ class World {
   size_t ArticulatedIndex(const std::string& part) const;
   void CheckPhysics() const;
   Eigen::Isometry3d PoseAt(int part) const;
+  void Step();
   void StepThread(ThreadJoint& joint);
 
   std::unique_ptr<PartTable> table_;
@@ -111,6 +109,7 @@ class World {
   std::unique_ptr<mjData, DeleteData> data_;
   std::unique_ptr<PartBodies> bodies_;
   std::unique_ptr<Hands> hands_;
+  std::unique_ptr<SleepingBodies> sleeping_;
   std::vector<ThreadJoint> threads_;
 };
 
@@ -119,6 +118,7 @@ struct World::Snapshot {
   std::vector<mjtByte> active;  ///< equalities
   std::vector<Hands::State> hands;
   std::vector<ThreadEngagement::Memory> threads;
+  std::vector<SleepingBodies::Memory> sleeping;
 };
 
 }  // namespace cell::vtb

@@ -16,6 +16,7 @@ struct PhysicsParams {
   /// [N/m] of a gripper with its fingers and sensor, for what it holds.
   double gripper_stiffness = 20e3;
   double gripper_lead = 0.015;  ///< [s] damping of it, by its stiffness
+  bool sleep = true;            ///< of parts at rest (SleepingBodies)
 };
 
 /// Names in the model. A hand is the boxes of CellLayout and an invisible

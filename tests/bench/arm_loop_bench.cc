@@ -2,7 +2,6 @@
 // thread while ways are planned elsewhere, and how late a loop at the
 // UR5's 125 Hz by the wall clock is with it, idle and under load; beside the
 // same loop with nothing to do. Example: arm_loop_bench
-#include <fmt/format.h>
 #include <time.h>
 
 #include <algorithm>
@@ -12,12 +11,14 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/bus/sim_bus.h"
 #include "common/bus/stepper.h"
 #include "common/node/cell_files.h"
 #include "services/cell/running/service_registry.h"
+#include "tests/bench/figure.h"
 
 namespace cell {
 
@@ -26,8 +27,8 @@ namespace {
 
 constexpr uint64_t kSeed = 500;
 constexpr char kScript[] = "execution", kArm[] = "robot_arm@right";
-constexpr int32_t kNumTicks = 12'000;  // of the run whose inputs are taken
-constexpr int32_t kFirstLoop = 1'000, kNumLoops = 2'500;  // 20 s
+constexpr int32_t kNumTicks = 6'000;  // of the run whose inputs are taken
+constexpr int32_t kFirstLoop = 1'000, kNumLoops = 1'000;  // 8 s
 constexpr int64_t kPeriodNs = kTickUs * 1000;
 
 using Inputs = std::vector<std::vector<Message>>;  // by tick
@@ -83,16 +84,11 @@ void SleepUntil(int64_t ns) {
   }
 }
 
-void Print(const std::string& what, std::vector<int64_t> ns) {
+/// The time that this share of the samples stays below.
+double QuantileUs(std::vector<int64_t> ns, double share) {
   std::sort(ns.begin(), ns.end());
-  const auto at = [&](double share) {
-    return 1e-3 * static_cast<double>(ns[static_cast<size_t>(
-                      share * static_cast<double>(ns.size() - 1))]);
-  };
-  std::cout << fmt::format(
-      "{:44} median {:7.1f} us, 99 % {:8.1f} us, 99.9 % {:8.1f} us, most "
-      "{:9.1f} us\n",
-      what, at(0.5), at(0.99), at(0.999), at(1));
+  return 1e-3 * static_cast<double>(ns[static_cast<size_t>(
+                    share * static_cast<double>(ns.size() - 1))]);
 }
 
 void TimeSteps(const CellFiles& files, const Inputs& inputs) {
@@ -103,7 +99,11 @@ void TimeSteps(const CellFiles& files, const Inputs& inputs) {
     arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
     steps.push_back(NowNs(CLOCK_THREAD_CPUTIME_ID) - start);
   }
-  Print("tick of " + std::string(kArm) + ", processor time", std::move(steps));
+  const std::string name = "tick of an arm, processor time, ";
+  PrintFigure({name + "median", QuantileUs(steps, 0.5), "us", false,
+               "a tick in real time", kTickUs});
+  PrintFigure({name + "99 %", QuantileUs(steps, 0.99), "us", false,
+               "a tick in real time", kTickUs});
 }
 
 /// How long after its time each set-point is there.
@@ -122,14 +122,20 @@ std::vector<int64_t> Loop(Work work) {
 
 void LoopBoth(const CellFiles& files, const Inputs& inputs,
               const std::string& how) {
-  Print("loop at 125 Hz with nothing to do, " + how, Loop([](int32_t) {}));
+  const auto nothing = Loop([](int32_t) {});
   Arm arm(files);
   for (int32_t tick = 0; tick < kFirstLoop; ++tick) {
     arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
   }
-  Print("loop at 125 Hz with the arm, " + how, Loop([&](int32_t tick) {
-          arm.Tick(tick, inputs[static_cast<size_t>(tick)]);
-        }));
+  const auto late = Loop(
+      [&](int32_t tick) { arm.Tick(tick, inputs[static_cast<size_t>(tick)]); });
+  for (const auto& [share, words] :
+       {std::pair{0.5, "median"}, {0.99, "99 %"}, {0.999, "99.9 %"}}) {
+    PrintFigure(
+        {"lateness of a loop at 125 Hz with an arm, " + how + ", " + words,
+         QuantileUs(late, share), "us", false, "the same loop, empty",
+         QuantileUs(nothing, share)});
+  }
 }
 
 int Main() {

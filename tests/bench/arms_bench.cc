@@ -5,6 +5,7 @@
 
 #include "common/arms/path_planner.h"
 #include "common/arms/reach.h"
+#include "tests/bench/yardstick.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {

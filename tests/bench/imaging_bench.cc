@@ -22,9 +22,9 @@ using namespace camera_set;
 using namespace cli;
 namespace {
 
-// The cell at a moment of an episode of the arms.
-struct Moment {
-  Moment() {
+// The cell at one time in an episode of the arms.
+struct RenderedScene {
+  RenderedScene() {
     const Roster roster = Roster::FromConfig(deployment.ForService("roster"));
     SimBus bus(roster, AllServices(deployment, "execution", 3));
     constexpr int32_t kTick = 1000;
@@ -53,28 +53,28 @@ struct Moment {
   std::vector<Camera> views;
 };
 
-const Moment& TheMoment() {
-  static const Moment moment;
-  return moment;
+const RenderedScene& TheScene() {
+  static const RenderedScene scene;
+  return scene;
 }
 
 const Camera& ViewOf(const benchmark::State& state) {
-  return TheMoment().views[static_cast<size_t>(state.range(0)) - 1];
+  return TheScene().views[static_cast<size_t>(state.range(0)) - 1];
 }
 
 RgbdFrame FrameOf(const benchmark::State& state) {
   RenderedView::Params params;
   params.view = ViewOf(state);
   params.has_shadows = false;
-  const Moment& moment = TheMoment();
-  return RenderedView(BodiesOf(moment.parts, moment.layout), params)
-      .Take(moment.truth);
+  const RenderedScene& scene = TheScene();
+  return RenderedView(BodiesOf(scene.parts, scene.layout), params)
+      .Capture(scene.truth);
 }
 
 // The baseline: as many rays as there are pixels, and nothing made of them.
 void RawRays(benchmark::State& state) {
   const Camera& view = ViewOf(state);
-  const auto posed = TheMoment().scene.Pose(TheMoment().truth.poses, view.X_WC);
+  const auto posed = TheScene().scene.Pose(TheScene().truth.poses, view.X_WC);
   constexpr int kSide = 4;
   for (auto _ : state) {
     for (int y = 0; y < view.height; y += kSide) {
@@ -108,7 +108,7 @@ void RenderPicture(benchmark::State& state) {
   RenderParams params;
   params.has_shadows = state.range(1) != 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(Render(TheMoment().scene, TheMoment().truth.poses,
+    benchmark::DoNotOptimize(Render(TheScene().scene, TheScene().truth.poses,
                                     ViewOf(state), params));
   }
 }
@@ -121,11 +121,11 @@ void WholeFrame(benchmark::State& state) {
   RenderedView::Params params;
   params.view = ViewOf(state);
   params.has_shadows = false;
-  const Moment& moment = TheMoment();
-  const RenderedView view(BodiesOf(moment.parts, moment.layout), params);
+  const RenderedScene& scene = TheScene();
+  const RenderedView view(BodiesOf(scene.parts, scene.layout), params);
   int size = 0;
   for (auto _ : state) {
-    const auto message = FrameToMessage(view.Take(moment.truth), 150'000, 90);
+    const auto message = FrameToMessage(view.Capture(scene.truth), 150'000, 90);
     size = message ? message->getEncodedSize() : 0;
   }
   state.counters["bytes"] = size;

@@ -33,24 +33,33 @@ kill_and_time() {
   done
   printf '%s\n' "${times[@]}" | sort -n | paste -sd ' '
 }
+# NAME VALUE UNIT [BASELINE BASELINE_VALUE]: a line for scripts/bench.
+figure() {
+  local line="{\"figure\": \"$1\", \"value\": $2, \"unit\": \"$3\", \"better\": \"less\""
+  [[ $# -lt 5 ]] || line+=", \"baseline\": \"$4\", \"baseline_value\": $5"
+  echo "$line}"
+}
+median() { cut -d ' ' -f 3 <<<"$1"; }
 
 start
 systemd-run --user --quiet --wait true
-echo "a unit that does nothing, from its start to its end: $(ms) ms"
+nothing=$(ms)
 systemd-run --user --quiet --unit=nothing -p Restart=always -p RestartSec=0 \
   -p StartLimitIntervalSec=0 sleep infinity
-times=$(kill_and_time nothing.service)
-echo "a unit that sleeps, from kill -9 to ready: $times ms"
+restart=$(median "$(kill_and_time nothing.service)")
 systemctl --user stop nothing.service
 
 start
 "$cell" up --user >/dev/null
-echo "the whole cell with cameras, from cell up to ready: $(ms) ms"
+figure "live cell with cameras, from cell up to ready" "$(ms)" ms \
+  "a unit that does nothing" "$nothing"
 sleep 2
 for service in vtb tracker sec-builder recognizer predicate-estimator planner \
   supervisor robot-arm@left robot-arm@right library recorder camera-set@1; do
   times=$(kill_and_time "cell-$service.service")
-  echo "$service, from kill -9 to ready: $times ms"
+  echo "$service: $times ms" >&2
+  figure "$service, from kill -9 to ready" "$(median "$times")" ms \
+    "a unit that sleeps" "$restart"
 done
 "$cell" down --user >/dev/null
 
@@ -61,9 +70,11 @@ for ((left = seconds; left > 0; left -= 100)); do
   "$cell" episode start --demonstration assembly \
     --seed "$left" >/dev/null
 done
-"$cell" top --reports 1 --period 5
+"$cell" top --reports 1 --period 5 >&2
 "$cell" down --user >/dev/null
 run=$(readlink -f "$state/runs/current")
 bytes=$(du -bc "$run"/*.lcmlog | tail -n 1 | cut -f 1)
-echo "log: $((bytes * 60 / seconds / 1000000)) MB/min"
-"$cell" log check "$run" || true
+figure "live cell's log" $((bytes * 60 / seconds / 1000000)) MB/min
+is_incomplete=0
+"$cell" log check "$run" >&2 || is_incomplete=1
+figure "live cell's logs that are incomplete" $is_incomplete logs

@@ -3,7 +3,8 @@ add_executable(bus_bench bench/bus_bench.cc)
 target_include_directories(bus_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(bus_bench PRIVATE
   cell_bus benchmark::benchmark Threads::Threads cell_warnings)
-add_executable(whole_cell_bench bench/whole_cell_bench.cc)
+add_executable(whole_cell_bench
+  bench/whole_cell_bench.cc bench/measured_cell.cc)
 target_include_directories(whole_cell_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(whole_cell_bench PRIVATE
     cell_cli mujoco::mujoco fmt::fmt cell_warnings)
@@ -13,6 +14,10 @@ target_compile_definitions(watching_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(watching_bench PRIVATE cell_tracker cell_sec_builder
   cell_recognizer benchmark::benchmark cell_warnings)
+add_executable(sec_bench bench/sec_bench.cc)
+target_include_directories(sec_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(sec_bench PRIVATE cell_sec_builder fmt::fmt
+  benchmark::benchmark cell_warnings)
 add_executable(arm_loop_bench bench/arm_loop_bench.cc)
 target_include_directories(arm_loop_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(arm_loop_bench PRIVATE cell_cli fmt::fmt Threads::Threads
@@ -29,7 +34,20 @@ target_compile_definitions(imaging_bench PRIVATE
   CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(imaging_bench PRIVATE cell_cli cell_camera_set embree
   lodepng::lodepng benchmark::benchmark cell_warnings)
+add_executable(chain_bench bench/chain_bench.cc)
+target_include_directories(chain_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(chain_bench PRIVATE
+  cell_sec benchmark::benchmark cell_warnings)
 add_executable(planning_bench bench/planning_bench.cc)
 target_include_directories(planning_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(planning_bench PRIVATE cell_planning benchmark::benchmark
   cell_warnings)
+add_executable(rules_bench bench/rules_bench.cc)
+target_include_directories(rules_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(rules_bench PRIVATE cell_rules benchmark::benchmark
+  cell_warnings)
+# What scripts/bench makes of their figures.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME bench_report_test
+  COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_test.py)
+set_tests_properties(bench_report_test PROPERTIES LABELS unit TIMEOUT 60)

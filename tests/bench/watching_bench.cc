@@ -7,6 +7,7 @@
 #include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/proximity.h"
 #include "services/tracker/ideal_tracker.h"
+#include "tests/bench/yardstick.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -95,8 +96,8 @@ BENCHMARK(SenseAllPredicates)
 void RecogniseATouch(benchmark::State& state) {
   Watched watched(kAssembled);
   Recognition recognition(watched.task.scene_objects, watched.task.parts,
-                          watched.task.MakeSecLibrary(),
-                          watched.task.MakeSensor(), {});
+                          watched.task.MakeLibrary(), watched.task.MakeSensor(),
+                          {});
   watched.stage.Hold("hand_left", "shaft");
   const KeyFrame held = watched.stage.Frame();
   watched.stage.LetGo("hand_left", "shaft");

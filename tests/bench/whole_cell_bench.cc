@@ -1,143 +1,145 @@
-// The whole cell beside bare mj_step of the same motions, in the same run.
-// Example: whole_cell_bench SCRATCH_DIR [DEPLOY_DIR]
-#include <fmt/format.h>
-#include <mujoco/mujoco.h>
-
-#include <chrono>
+// The whole cell while the arms work, beside bare mj_step of the same ticks in
+// the same run, with all bodies awake.
+// Example: whole_cell_bench SCRATCH_DIR DEPLOY_DIR 3 without_cameras
+#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <regex>
+#include <sstream>
 #include <string>
 
-#include "common/bus/process_usage.h"
-#include "common/bus/replay.h"
 #include "common/bus/run_log.h"
-#include "common/bus/sim_bus.h"
 #include "common/node/cell_files.h"
 #include "services/cell/running/run_folder.h"
-#include "services/cell/running/service_registry.h"
+#include "tests/bench/figure.h"
+#include "tests/bench/measured_cell.h"
 
 namespace cell {
-
-using namespace cli;
 namespace {
 
-constexpr uint64_t kSeed = 500;
-constexpr char kScript[] = "execution";  // the arms work
+namespace fs = std::filesystem;
 
-double Now() {
-  return std::chrono::duration<double>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+constexpr int32_t kNumTicks = 6000;         // 48 s
+constexpr int32_t kNumTicksCameras = 1000;  // rendering takes most of it
+constexpr double kGoalOverLcm = 0.75, kGoalInOneProcess = 1.4, kGoalMb = 160;
+
+/// A copy of the deployment in which no body ever sleeps.
+fs::path KeptAwake(const fs::path& deploy, const fs::path& scratch) {
+  const fs::path copy = scratch / "awake";
+  fs::copy(deploy, copy, fs::copy_options::recursive);
+  const fs::path file = copy / "config" / "vtb.yaml";
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::ofstream(file) << std::regex_replace(
+      text.str(), std::regex("(^|\n)sleep: true"), "$1sleep: false");
+  return copy;
 }
 
-struct Timing {
-  double wall_s = 0;
-  double sim_s = 0;
+/// Costs that grow with nothing but what disturbs them: the least counts.
+void KeepLeast(const Cost& cost, Cost& least) {
+  if (least.num_ticks == 0) least = cost;
+  least.wall_s = std::min(least.wall_s, cost.wall_s);
+  least.cpu_s = std::min(least.cpu_s, cost.cpu_s);
+  least.step_s = std::min(least.step_s, cost.step_s);
+  least.resident_mb = std::max(least.resident_mb, cost.resident_mb);
+}
+
+double PerTickUs(const Cost& cost, double seconds) {
+  return 1e6 * seconds / cost.num_ticks;
+}
+
+class WholeCell {
+ public:
+  WholeCell(fs::path scratch, fs::path deploy)
+      : scratch_(std::move(scratch)),
+        deploy_(std::move(deploy)),
+        files_(FindCellFiles(deploy_.string())),
+        awake_(FindCellFiles(KeptAwake(deploy_, scratch_).string())) {}
+
+  /// One after the other, so that a busy time of the machine meets all of them.
+  void Measure() {
+    const fs::path round = scratch_ / std::to_string(num_rounds_++);
+    Deployment recorded = files_.deployment;
+    recorded.run_dir = round / "sim";
+    fs::create_directories(recorded.run_dir);
+    KeepLeast(RunInOneProcess(awake_.roster, awake_.deployment, kNumTicks),
+              bare_);
+    KeepLeast(RunInOneProcess(files_.roster, recorded, kNumTicks), sim_);
+    KeepLeast(ReplayTestbed(files_.roster, recorded), testbed_);
+    KeepLeast(RunOverLcm(round / "lcm", deploy_.string(), {}, kNumTicks), lcm_);
+    log_mb_ = LogMegabytes(recorded.run_dir);
+  }
+
+  void MeasureCameras() {
+    cli::RunFolder seeing = cli::RunFolder::Create(
+        (scratch_ / "sim-cameras").string(), "", files_.deployment,
+        kMeasuredScript, kMeasuredSeed);
+    seeing.EnableServices("cameras");
+    KeepLeast(
+        RunInOneProcess(seeing.roster, seeing.deployment, kNumTicksCameras),
+        sim_cameras_);
+    KeepLeast(RunOverLcm(scratch_ / "lcm-cameras", deploy_.string(),
+                         {"--cameras"}, kNumTicksCameras),
+              lcm_cameras_);
+  }
+
+  void Print(const std::string& of) const {
+    PrintSpeed("testbed alone" + of, testbed_, testbed_.cpu_s);
+    PrintSpeed("whole cell, one process" + of, sim_, sim_.cpu_s,
+               kGoalInOneProcess);
+    PrintSpeed("whole cell, over LCM" + of, lcm_, lcm_.wall_s, kGoalOverLcm);
+    PrintFigure({"processor time, one process" + of,
+                 PerTickUs(sim_, sim_.cpu_s), "us/tick", false, "bare mj_step",
+                 BareUs()});
+    PrintFigure({"processor time, over LCM" + of, PerTickUs(lcm_, lcm_.cpu_s),
+                 "us/tick", false, "one process", PerTickUs(sim_, sim_.cpu_s)});
+    PrintFigure({"memory, one process" + of, sim_.resident_mb, "MB", false, "",
+                 0, kGoalMb});
+    PrintFigure({"memory, all processes" + of, lcm_.resident_mb, "MB", false,
+                 "one process", sim_.resident_mb});
+    PrintFigure(
+        {"log" + of, log_mb_ * 60 / (0.008 * sim_.num_ticks), "MB/min"});
+    if (sim_cameras_.num_ticks == 0) return;
+    PrintSpeed("whole cell with cameras, one process" + of, sim_cameras_,
+               sim_cameras_.cpu_s);
+    PrintSpeed("whole cell with cameras, over LCM" + of, lcm_cameras_,
+               lcm_cameras_.wall_s);
+  }
+
+ private:
+  double BareUs() const { return PerTickUs(bare_, bare_.step_s); }
+
+  static double LogMegabytes(const fs::path& run) {
+    double bytes = 0;
+    for (const auto& log : LogsOf(run)) {
+      bytes += static_cast<double>(fs::file_size(log));
+    }
+    return 1e-6 * bytes;
+  }
+
+  /// The ratio is that of speeds: of one process, whose one thread does all, in
+  /// its processor time, which does not depend on what else runs; of several
+  /// by the wall clock, which wants a machine that does nothing else.
+  void PrintSpeed(const std::string& name, const Cost& cost, double seconds,
+                  double goal = 0) const {
+    PrintFigure({name, 1e6 / PerTickUs(cost, seconds), "ticks/s", true,
+                 "bare mj_step, all awake", 1e6 / BareUs(), goal});
+  }
+
+  fs::path scratch_, deploy_;
+  CellFiles files_, awake_;
+  int num_rounds_ = 0;
+  Cost bare_, testbed_, sim_, lcm_, sim_cameras_, lcm_cameras_;
+  double log_mb_ = 0;
 };
 
-Timing Run(const Roster& roster, const Deployment& deployment) {
-  SimBus bus(roster, AllServices(deployment, kScript, kSeed));
-  const double start = Now();
-  while (bus.Step()) {
-  }
-  return {Now() - start, bus.last_tick().header.tick * kTickUs * 1e-6};
-}
-
-// Seconds that mj_step itself took: MuJoCo keeps them in its data as soon as it
-// has a clock, and hands the data to this callback in every step.
-double g_step_s = 0;
-
-// The testbed alone, given what it was given in the recorded run.
-struct Alone {
-  double wall_s = 0;
-  double step_s = 0;
-};
-
-Alone ReplayTestbed(const Roster& roster, const Deployment& recorded) {
-  const RunLog log = RunLog::Load(recorded.run_dir.string());
-  Deployment deployment = recorded;
-  deployment.run_dir.clear();
-  mjcb_time = Now;
-  mjcb_passive = [](const mjModel*, mjData* data) {
-    g_step_s = data->timer[mjTIMER_STEP].duration;
-  };
-  const double start = Now();
-  const ReplayResult result = Replay(
-      log, roster, "vtb", AllServices(deployment, kScript, kSeed).at("vtb"));
-  if (result.difference) throw std::runtime_error(*result.difference);
-  mjcb_time = nullptr;
-  mjcb_passive = nullptr;
-  return {Now() - start, g_step_s};
-}
-
-// The clock's own account of a run over LCM, in the last line that it said.
-double LcmSeconds(const std::string& deploy, const std::filesystem::path& run,
-                  const char* cameras) {
-  const auto bin =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string command = fmt::format(
-      "{} demo --hash {} --seed {} --demonstration {} --out {}{} "
-      "> /dev/null",
-      (bin / "cell").string(), cameras, kSeed, kScript, run.string(),
-      deploy.empty() ? "" : " --deploy " + deploy);
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("cell demo failed; see " + run.string());
-  }
-  std::ifstream file(run / "vtb.out");
-  std::string line;
-  std::string last;
-  while (std::getline(file, line)) last = line;
-  const size_t at = last.find(" ticks in ");
-  if (at == std::string::npos) {
-    throw std::runtime_error("no tick count in " + (run / "vtb.out").string());
-  }
-  return std::stod(last.substr(at + 10));
-}
-
-double LogMegabytesPerMinute(const std::filesystem::path& run, double sim_s) {
-  double bytes = 0;
-  for (const auto& log : LogsOf(run)) {
-    bytes += static_cast<double>(std::filesystem::file_size(log));
-  }
-  return bytes * 1e-6 / (sim_s / 60);
-}
-
-void Print(const char* what, double wall_s, double sim_s, double bare_s) {
-  std::cout << fmt::format(
-      "{:34} {:7.2f} s  {:6.1f} x real time  {:5.2f} of "
-      "bare mj_step's speed\n",
-      what, wall_s, sim_s / wall_s, bare_s / wall_s);
-}
-
-int Main(const std::filesystem::path& scratch, const std::string& deploy) {
-  const CellFiles files = FindCellFiles(deploy);
-  Deployment recorded = files.deployment;
-  recorded.run_dir = scratch / "sim";
-  std::filesystem::create_directories(recorded.run_dir);
-  const Timing sim = Run(files.roster, recorded);
-  const Alone alone = ReplayTestbed(files.roster, recorded);
-  const double bare_s = alone.step_s;
-  RunFolder seeing = RunFolder::Create((scratch / "sim-cameras").string(), "",
-                                       files.deployment, kScript, kSeed);
-  seeing.TakePart("cameras");
-  const Timing sim_cameras = Run(seeing.roster, seeing.deployment);
-  const double lcm_s = LcmSeconds(deploy, scratch / "lcm", "");
-  const double lcm_cameras_s =
-      LcmSeconds(deploy, scratch / "lcm-cameras", "--cameras");
-  Print("bare mj_step", bare_s, sim.sim_s, bare_s);
-  Print("vtb alone, replayed", alone.wall_s, sim.sim_s, bare_s);
-  Print("whole cell, one process", sim.wall_s, sim.sim_s, bare_s);
-  Print("the same with cameras", sim_cameras.wall_s, sim_cameras.sim_s, bare_s);
-  Print("whole cell, lockstep over LCM", lcm_s, sim.sim_s, bare_s);
-  Print("the same with cameras", lcm_cameras_s, sim.sim_s, bare_s);
-  std::cout << fmt::format(
-      "log: {:.1f} MB/min, with cameras {:.1f} MB/min\n",
-      LogMegabytesPerMinute(scratch / "sim", sim.sim_s),
-      LogMegabytesPerMinute(seeing.path, sim_cameras.sim_s));
-  std::cout << fmt::format("resident memory of the one process: {} MB\n",
-                           UsageOfThisProcess().resident_bytes >> 20);
+int Main(const std::vector<std::string>& arguments) {
+  const std::string& deploy = arguments[1];
+  WholeCell cell(arguments[0], deploy);
+  for (int i = std::stoi(arguments[2]); i > 0; --i) cell.Measure();
+  if (arguments[3] == "with_cameras") cell.MeasureCameras();
+  cell.Print(arguments.size() > 4 ? " " + arguments[4] : "");
   return 0;
 }
 
@@ -145,12 +147,13 @@ int Main(const std::filesystem::path& scratch, const std::string& deploy) {
 }  // namespace cell
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    std::cerr << "usage: whole_cell_bench SCRATCH_DIR [DEPLOY_DIR]\n";
+  if (argc != 5 && argc != 6) {
+    std::cerr << "usage: whole_cell_bench SCRATCH_DIR DEPLOY_DIR ROUNDS "
+                 "with_cameras|without_cameras [NAME]\n";
     return 2;
   }
   try {
-    return cell::Main(argv[1], argc == 3 ? argv[2] : "");
+    return cell::Main({argv + 1, argv + argc});
   } catch (const std::exception& e) {
     std::cerr << "whole_cell_bench: " << e.what() << std::endl;
     return 1;

@@ -21,6 +21,7 @@
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/command_mode_t.hpp"
+#include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/health_t.hpp"
@@ -175,6 +176,10 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     command_mode_t mode{};
     mode.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_MODE"] = {Bus::Encode(mode)};
+    command_name_t name{};
+    name.name = "Insert";
+    name.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_NAME"] = {Bus::Encode(name)};
     samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
     AddOfArms(samples);
     AskLibrary(samples);
@@ -381,12 +386,12 @@ INSTANTIATE_TEST_SUITE_P(
                     "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
                     "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
                     "ANSWER", "STATUS", "COMMAND_GOAL", "COMMAND_MODE",
-                    "MOTION_PERMIT", "MOTION_PLAN", "MOTION_REQUEST", "MODE",
-                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
-                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
-                    "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
-                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
-                    "LIBRARY_REQUEST", "STORE_REQUEST"),
+                    "COMMAND_NAME", "MOTION_PERMIT", "MOTION_PLAN",
+                    "MOTION_REQUEST", "MODE", "SENSE_REQUEST", "SKILL_REQUEST",
+                    "SKILL_RESULT", "EXECUTION", "ARM_REPORT_LEFT",
+                    "ARM_REPORT_RIGHT", "ARM_STATE_LEFT", "ARM_STATE_RIGHT",
+                    "WRENCH_RIGHT", "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
+                    "FRAME_1", "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

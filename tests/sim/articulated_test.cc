@@ -170,6 +170,26 @@ TEST_F(Articulated, ItStaysWhereItIsLeft) {
   EXPECT_NEAR(world_.JointOf("tray"), 0.08, 1e-4);
 }
 
+TEST_F(Articulated, ItSleepsWhereItIsLeftUntilItIsMoved) {
+  world_.SetJoint("leaf", 0.7);
+  world_.SetJoint("tray", 0.08);
+  world_.Run(1000);
+  EXPECT_TRUE(world_.IsAsleep("leaf"));
+  EXPECT_TRUE(world_.IsAsleep("tray"));
+  const double before = world_.JointOf("tray");
+  world_.SetJoint("leaf", 0.5);
+  world_.Run(400);
+  EXPECT_EQ(world_.JointOf("tray"), before);
+  GripAtOnce(kHand, "tray");
+  Isometry3d X_WG = Handle("tray");
+  X_WG.translation() +=
+      0.02 * (world_.PoseOf("tray").linear() * Joint("tray").axis);
+  world_.hands().Move(kHand, X_WG, 0.012);
+  world_.Run(200);
+  EXPECT_FALSE(world_.IsAsleep("tray"));
+  EXPECT_NEAR(world_.JointOf("tray"), before + 0.02, 2e-3);
+}
+
 TEST_F(Articulated, ItsPoseIsThatOfItsBody) {
   for (const double position : {-0.1, 0.0, 0.4, 1.3}) {
     world_.SetJoint("leaf", position);

@@ -32,7 +32,7 @@ class AssemblingCell {
     });
     auto factories = AllServices(deployment, "execution", seed);
     for (const auto& [name, factory] : guests) {
-      roster.entries.push_back({name});
+      roster.entries.push_back({.name = name, .feeds_clock = true});
       factories[name] = factory;
     }
     bus_ = std::make_unique<SimBus>(roster, std::move(factories));

@@ -21,15 +21,15 @@ constexpr int32_t kShort = 13, kMiddle = 125, kLong = 375;  // 0.1, 1, 3 s
 constexpr int32_t kCalm = 250;     // ticks from an outage to the next
 constexpr int32_t kAlertIn = 188;  // ticks: 1.5 s
 
-struct Moment {
+struct DeathPoint {
   std::string phase;  // of the arm's skill
   int32_t delay;      // [ticks] from its beginning
 };
-const Moment kPick{"reach", 25}, kCarry{"carry", 60}, kInsert{"seat", 90};
+const DeathPoint kPick{"reach", 25}, kCarry{"carry", 60}, kInsert{"seat", 90};
 
 struct Death {
   std::string arm;  // whose skill it interrupts
-  Moment moment;
+  DeathPoint point;
   int32_t duration;  // [ticks]
 };
 
@@ -80,9 +80,9 @@ class Reaper {
     if (!outages_.empty() && tick < outages_.back().join_tick + kCalm) return;
     if (planned_.empty()) return;
     const Death next = planned_.front();
-    if (next.arm != report.arm || next.moment.phase != phase) return;
+    if (next.arm != report.arm || next.point.phase != phase) return;
     if (tried_.contains(part)) return;
-    const int32_t death = tick + next.moment.delay;
+    const int32_t death = tick + next.point.delay;
     outages_.push_back({service_, death, death + next.duration});
     cell_.bus().Schedule(outages_.back());
     tried_.insert(part);
@@ -142,8 +142,8 @@ class DeathsOf : public testing::TestWithParam<const char*> {};
 TEST_P(DeathsOf, LeaveNothingUndoneAndDoNothingTwice) {
   std::vector<Death> deaths;
   for (const int32_t duration : {kShort, kMiddle, kLong}) {
-    for (const Moment& moment : {kPick, kCarry, kInsert}) {
-      deaths.push_back({"right", moment, duration});
+    for (const DeathPoint& point : {kPick, kCarry, kInsert}) {
+      deaths.push_back({"right", point, duration});
     }
   }
   ExpectToComplete(kSeed, GetParam(), deaths);

@@ -28,17 +28,17 @@ using namespace vtb;
 using namespace cli;
 namespace {
 
-struct Wish {
+struct RequestedSkill {
   std::string arm, skill;
   SkillArguments arguments;
 };
 
-// Asks for one wish after the other, and lets the arms move.
+// Asks for one skill after the other, and lets the arms move.
 class Driver final : public Service {
  public:
-  Driver(Bus& bus, std::deque<Wish> wishes,
+  Driver(Bus& bus, std::deque<RequestedSkill> skills,
          std::vector<skill_result_t>* results)
-      : bus_(bus), wishes_(std::move(wishes)), results_(results) {
+      : bus_(bus), skills_(std::move(skills)), results_(results) {
     bus.Subscribe<skill_result_t>("SKILL_RESULT", [this](const auto& m) {
       results_->push_back(m);
       is_waiting_ = false;
@@ -59,28 +59,28 @@ class Driver final : public Service {
     permit.mode = motion_permit_t::EXECUTE;
     bus_.Publish("MOTION_PERMIT", permit);
     if (bus_.tick() < 60 || is_waiting_) return;
-    if (wishes_.empty()) {
+    if (skills_.empty()) {
       execution_t done{};
       done.header.utime = bus_.now();
       done.state = execution_t::DONE;
       if (!std::exchange(is_done_, true)) bus_.Publish("EXECUTION", done);
       return;
     }
-    const Wish& wish = wishes_.front();
+    const RequestedSkill& next = skills_.front();
     skill_request_t request{};
     request.header.utime = bus_.now();
     request.id = ++id_;
     request.deadline_utime = bus_.now() + 1'000'000;
-    request.arm = wish.arm;
-    request.skill = wish.skill;
-    SetArguments(wish.arguments, &request);
+    request.arm = next.arm;
+    request.skill = next.skill;
+    SetArguments(next.arguments, &request);
     bus_.Publish("SKILL_REQUEST", request);
-    wishes_.pop_front();
+    skills_.pop_front();
     is_waiting_ = true;
   }
 
   Bus& bus_;
-  std::deque<Wish> wishes_;
+  std::deque<RequestedSkill> skills_;
   std::vector<skill_result_t>* results_;
   bool is_waiting_ = false, is_done_ = false;
   int64_t id_ = 0;
@@ -92,7 +92,7 @@ struct Outcome {
   double seconds = 0;
 };
 
-Outcome Assemble(uint64_t seed, std::deque<Wish> wishes,
+Outcome Assemble(uint64_t seed, std::deque<RequestedSkill> skills,
                  const Deployment& deployment = ShippedDeployment()) {
   Roster roster;
   roster.task = "cranfield";
@@ -119,7 +119,7 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes,
     };
   }
   factories["driver"] = [&](Bus& bus) {
-    return std::make_unique<Driver>(bus, wishes, &outcome.results);
+    return std::make_unique<Driver>(bus, skills, &outcome.results);
   };
   SimBus bus(roster, std::move(factories));
   PoseHistory pose_history;
@@ -138,11 +138,11 @@ Outcome Assemble(uint64_t seed, std::deque<Wish> wishes,
   return outcome;
 }
 
-Wish Insert(const std::string& part, const std::string& site) {
+RequestedSkill Insert(const std::string& part, const std::string& site) {
   return {"right", "insert", {{"part", part}, {"site", site}}};
 }
 
-const std::deque<Wish> kAll = {
+const std::deque<RequestedSkill> kAll = {
     Insert("round_peg_1", "base.round_1"),
     Insert("round_peg_2", "base.round_2"),
     Insert("square_peg_1", "base.square_1"),

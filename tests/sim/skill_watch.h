@@ -38,7 +38,7 @@ class SkillWatch {
     }
     cell.On<execution_t>("EXECUTION", [this](const auto& m) {
       last_execution_ = m;
-      if (kIsVerbose && m.state == execution_t::STUCK) Say("asks: " + m.text);
+      if (kIsVerbose && m.state == execution_t::STUCK) Log("asks: " + m.text);
     });
   }
 
@@ -72,7 +72,7 @@ class SkillWatch {
           << part << " is inserted again, at tick " << request.header.tick;
     }
     if (kIsVerbose) {
-      Say("asked: " + std::to_string(request.id) + " " + request.arm + " " +
+      Log("asked: " + std::to_string(request.id) + " " + request.arm + " " +
           request.skill + " " + ArgumentOf(request, "part") + " " +
           ArgumentOf(request, "site"));
     }
@@ -87,7 +87,7 @@ class SkillWatch {
       inserted_.insert(ArgumentOf(request->second, "part"));
     }
     if (kIsVerbose) {
-      Say("ended: " + std::to_string(result.id) + " outcome " +
+      Log("ended: " + std::to_string(result.id) + " outcome " +
           std::to_string(result.outcome) + " " + result.reason);
     }
   }
@@ -96,7 +96,7 @@ class SkillWatch {
     int64_t& running = running_.try_emplace(report.arm, -1).first->second;
     std::string& phase = phases_[report.arm];
     if (kIsVerbose && phase != report.phase) {
-      Say(report.arm + ": " + report.phase + ", holds '" + report.held + "'");
+      Log(report.arm + ": " + report.phase + ", holds '" + report.held + "'");
     }
     phase = report.phase;
     if (report.request == running) return;
@@ -114,7 +114,7 @@ class SkillWatch {
     EXPECT_EQ(permit->mode, motion_permit_t::EXECUTE);
   }
 
-  void Say(const std::string& text) const {
+  void Log(const std::string& text) const {
     std::cerr << cell_.tick() << ": " << text << "\n";
   }
 

@@ -162,7 +162,7 @@ class HeldRun {
         mode.reason = "an arm has stopped";
         inputs.push_back(MessageAt("MODE", mode, tick));
       }
-      Hear(bench_.Tick(std::move(inputs)));
+      OnOutputs(bench_.Tick(std::move(inputs)));
     }
   }
   const std::optional<int32_t>& end() const { return end_; }
@@ -177,7 +177,7 @@ class HeldRun {
     WriteIdentity(tick, 0, tick, bytes);
     return *MessageFromWire(channel, std::move(bytes));
   }
-  void Hear(const std::multimap<std::string, Message>& outputs) {
+  void OnOutputs(const std::multimap<std::string, Message>& outputs) {
     for (const auto& [channel, message] : outputs) {
       if (channel == "ALERT") alerts_.push_back(Decoded<alert_t>(message));
       if (channel != "EPISODE") continue;

@@ -33,7 +33,7 @@ class WatchedCell {
     SimBus bus(roster, AllServices(deployment, "two_pegs", 1000),
                std::move(outages));
     while (bus.Step()) {
-      for (const Message& message : bus.last_messages()) Hear(message);
+      for (const Message& message : bus.last_messages()) OnMessage(message);
     }
   }
 
@@ -42,12 +42,12 @@ class WatchedCell {
     int32_t tick;
   };
   const std::vector<Placement>& placements() const { return placements_; }
-  /// What was recognised, and what is told as done by nobody knows whom.
-  const std::string& told() const { return told_; }
+  /// Recognised actions, and changes reported as unexplained.
+  const std::string& reported() const { return reported_; }
   int num_unseen() const { return num_unseen_; }
 
  private:
-  void Hear(const Message& message) {
+  void OnMessage(const Message& message) {
     if (message.channel == "TRUTH_ACTIONS") {
       const auto action = Decode<truth_action_t>(message);
       if (action->kind == truth_action_t::PLACED) {
@@ -55,17 +55,17 @@ class WatchedCell {
       }
     } else if (message.channel == "ACTION") {
       const auto action = Decode<action_t>(message);
-      if (action->kind == action_t::FORWARD) told_ += action->part + "\n";
+      if (action->kind == action_t::FORWARD) reported_ += action->part + "\n";
     } else if (message.channel == "ALERT") {
       const auto alert = Decode<alert_t>(message);
       if (alert->cause != alert_t::UNSEEN) return;
-      told_ += alert->text + "\n";
+      reported_ += alert->text + "\n";
       ++num_unseen_;
     }
   }
 
   std::vector<Placement> placements_;
-  std::string told_;
+  std::string reported_;
   int num_unseen_ = 0;
 };
 
@@ -77,9 +77,9 @@ const WatchedCell& Undisturbed() {
 TEST(WatchedDeaths, WithoutOneEveryPlacementIsRecognisedAndNothingUnseen) {
   ASSERT_EQ(Undisturbed().placements().size(), 2u);
   for (const auto& placement : Undisturbed().placements()) {
-    EXPECT_THAT(Undisturbed().told(), HasSubstr(placement.part));
+    EXPECT_THAT(Undisturbed().reported(), HasSubstr(placement.part));
   }
-  EXPECT_EQ(Undisturbed().num_unseen(), 0) << Undisturbed().told();
+  EXPECT_EQ(Undisturbed().num_unseen(), 0) << Undisturbed().reported();
 }
 
 // The recognizer misses a placement; whoever knew of it dies, too.
@@ -88,7 +88,7 @@ TEST(WatchedDeaths, OfTheRecognizerAndThenThePlannerLeaveNothingUntold) {
   const WatchedCell cell({{"recognizer", tick - 60, tick + 40},
                           {"planner", tick + 60, tick + 90}});
   for (const auto& placement : Undisturbed().placements()) {
-    EXPECT_THAT(cell.told(), HasSubstr(placement.part));
+    EXPECT_THAT(cell.reported(), HasSubstr(placement.part));
   }
 }
 

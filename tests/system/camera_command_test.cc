@@ -115,7 +115,8 @@ TEST_F(CameraCommand, ViewShowsWhatACameraSaw) {
     ASSERT_EQ(pixel[0], pixel[1]);
     ASSERT_EQ(pixel[1], pixel[2]);
   }
-  EXPECT_THAT(Cell("view a --camera 4").output, HasSubstr("no FRAME_4"));
+  EXPECT_THAT(Cell("view a --camera 4").output,
+              HasSubstr("no FRAME_4; only runs with --cameras"));
   EXPECT_EQ(Cell("view a --depth").code, 2);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "common/actions/sec_models.h"
 #include "common/config/deployment.h"
 #include "common/geometry/part_shape.h"
 #include "common/layout/cell_layout.h"
@@ -16,7 +17,6 @@
 #include "common/scene/key_frame.h"
 #include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
-#include "common/sec/condition_library.h"
 #include "common/task/task.h"
 #include "services/tracker/ideal_tracker.h"
 
@@ -33,16 +33,9 @@ inline Deployment ShippedDeployment() {
 struct ShippedTask : Task {
   ShippedTask() : Task(LoadTask(ShippedDeployment())) {}
 
-  /// Of the conditions that were written by hand.
-  std::shared_ptr<const SecLibrary> MakeSecLibrary() const {
-    std::vector<ConditionLibrary::Entry> entries;
-    for (const ActionModel& model : actions) {
-      if (!model.sec) continue;
-      entries.push_back(
-          {model.action.name, model.action.arguments, *model.sec});
-    }
-    return std::make_shared<const ConditionLibrary>(std::move(entries),
-                                                    domain.vocabulary(), parts);
+  /// Of the models that the task comes with.
+  std::shared_ptr<const SecLibrary> MakeLibrary() const {
+    return MakeSecLibrary({domain, parts, actions});
   }
 };
 

@@ -5,7 +5,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "cell/episode_t.hpp"
@@ -15,6 +17,7 @@
 #include "common/sec/chain_similarities.h"
 #include "common/sec/event_chain.h"
 #include "common/task/task.h"
+#include "common/text/nearest.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/running/run_folder.h"
@@ -59,13 +62,23 @@ std::vector<EventChain> ChainsOf(const RunFolder& run) {
   return chains;
 }
 
-/// What `options` want of a chain, without what does not change.
+/// The parts, hands and table of a chain, by name.
+std::vector<std::string> ObjectsOf(const EventChain& chain) {
+  std::set<std::string> names;
+  for (const auto& [first, second] : chain.pairs()) {
+    names.insert({first, second});
+  }
+  return {names.begin(), names.end()};
+}
+
+/// The rows of a chain that `options` choose, without those that do not change.
 EventChain Chosen(const EventChain& chain, const ChainOptions& options) {
   const EventChain rows =
       options.object.empty() ? chain : chain.RowsOf(options.object);
   if (rows.num_rows() == 0) {
-    throw std::invalid_argument("--object " + options.object +
-                                ": no part, hand or table has this name");
+    throw std::invalid_argument(
+        "--object " + options.object + ": no part, hand or table is named '" +
+        options.object + "'" + NamesInstead(options.object, ObjectsOf(chain)));
   }
   return rows.ChangingRows().DistinctColumns();
 }

@@ -147,7 +147,7 @@ class Demo {
   }
 
   void OnDeath(const ProcessGroup::Death& death) {
-    ForwardOutputs();  // it has said why
+    ForwardOutputs();  // with its reason
     const std::string where = " (see " + LogOf(death.name).string() + ")";
     if (death.name == clock()) {
       if (death.is_clean) return;

@@ -41,7 +41,7 @@ void AddEpisode(CLI::App& app, Action* action) {
       ->check(CLI::IsMember({"start", "end"}));
   command->add_option("--demonstration", options->demonstration,
                       "for start: demonstration script of the task");
-  command->add_option("--seed", options->seed)
+  command->add_option("--seed", options->seed, "seed of its random numbers")
       ->check(NumberIn<int64_t>(0))
       ->capture_default_str();
   AddOperatorOptions(*command, &options->port);

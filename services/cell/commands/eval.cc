@@ -12,6 +12,7 @@
 #include "common/node/number_option.h"
 #include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/eval_sec.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/job_pool.h"
 #include "services/cell/evaluations/row_store.h"
@@ -160,8 +161,8 @@ std::set<std::string> TopicsOf(const json& report) {
   return topics;
 }
 
-// Before hours of work: whether the measures can be written at their end. What
-// an evaluation that is resumed has said of fewer rows may be replaced.
+// Checks, before hours of work, that the measures can be written at their end.
+// A resumed evaluation may replace its measures of fewer rows.
 void RequireFreeJson(const EvalOptions& options) {
   if (options.json_file.empty()) return;
   if (options.is_resumed) {
@@ -256,6 +257,9 @@ void AddEval(CLI::App& app, Action* action) {
       };
     });
   }
+  AddEvalSec(*eval, action);
+  AddEvalRules(*eval, action);
+  AddEvalRexd(*eval, action);
 }
 
 }  // namespace cell::cli

@@ -64,14 +64,14 @@ void PrintFindings(const LogAudit& audit) {
   }
 }
 
-// Who took part stands beside the log, in its run folder.
+// The roster is beside the log, in its run folder.
 Roster RosterOf(const fs::path& log) {
   const fs::path folder = fs::is_directory(log) ? log : log.parent_path();
   const fs::path deploy = folder / "deploy";
   return FindCellFiles(fs::is_directory(deploy) ? deploy.string() : "").roster;
 }
 
-// Of a live cell's log: what came late stands behind what was in time.
+// A live cell's log is not sorted: late messages follow those in time.
 std::vector<LogFinding> FindOddSequence(const LogIndex& index) {
   constexpr int64_t kMaxLateUs = 1'000'000;
   auto findings = FindOddNumbers(index, false);
@@ -80,7 +80,7 @@ std::vector<LogFinding> FindOddSequence(const LogIndex& index) {
   return ByPlace(std::move(findings));
 }
 
-// A live cell's log has no manifests, but each sender counts what it says.
+// A live cell's log has no manifests, but each sender numbers its messages.
 int CheckLive(const LogOptions& options) {
   const LiveLog log = LiveLog::Load(LogsAt(options.log));
   auto problems = log.Problems(RosterOf(options.log));

@@ -61,7 +61,7 @@ int Prepare(const PrepareOptions& options) {
   RunFolder run =
       RunFolder::Create(ClaimRunFolder(runs, "live").string(), "live",
                         files.deployment, options.demonstration, options.seed);
-  if (options.has_cameras) run.TakePart("cameras");
+  if (options.has_cameras) run.EnableServices("cameras");
   PointTo(run.path, runs / "current");
   std::cout << "the session is recorded in " << run.path.string() << "\n";
   return 0;
@@ -85,7 +85,7 @@ void AddPrepare(CLI::App& app, Action* action) {
                       "folder with config/ and tasks/");
   command->add_option("--demonstration", options->demonstration,
                       "script that the testbed begins with");
-  command->add_option("--seed", options->seed)
+  command->add_option("--seed", options->seed, "seed of its random numbers")
       ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command->add_flag("--cameras", options->has_cameras, "run the camera sets");

@@ -45,7 +45,7 @@ class Recording {
         traffic_(files.roster.NumListed()),
         port_(address.MainUrl()) {
     port_.Subscribe(".*", [this](const std::string& channel, Bytes bytes) {
-      auto message = traffic_.Hear(channel, std::move(bytes));
+      auto message = traffic_.OnMessage(channel, std::move(bytes));
       if (!message) return;
       KeepWhatWasAsked(*message);
       messages_.push_back(*std::move(message));
@@ -64,9 +64,10 @@ class Recording {
     }
   }
 
-  /// Says what there is; 1 if nothing, or not all, was heard.
+  /// Reports what was recorded; returns 1 if messages, or all of them, are
+  /// missing.
   int Finish() {
-    const Traffic::Report report = traffic_.Take(clock_.ElapsedSeconds());
+    const Traffic::Report report = traffic_.MakeReport(clock_.ElapsedSeconds());
     int64_t num_lost = 0;
     for (const Traffic::Channel& channel : report.channels) {
       if (channel.num_lost == 0) continue;
@@ -91,7 +92,8 @@ class Recording {
   }
 
  private:
-  // Whoever has started the cell said it; each EPISODE repeats it.
+  // The demonstration and seed that the cell was started with; each EPISODE
+  // repeats them.
   void KeepWhatWasAsked(const Message& message) {
     if (message.channel != "EPISODE" || !run_.demonstration.empty()) return;
     const auto episode = Decode<episode_t>(message);

@@ -33,8 +33,8 @@ void Describe(const Message& message, Narrator* narrator) {
   }
 }
 
-// Recomputes the services that `names` names, all if it is empty, and says how
-// each went; `replay_of` gives the line for one, and whether it is well.
+// Recomputes the services in `names`, all if it is empty, and prints a line for
+// each; `replay_of` returns that line, and whether the service replays.
 template <class ReplayOf>
 int CheckServices(const RunFolder& run, std::vector<std::string> names,
                   const ReplayOf& replay_of) {
@@ -122,7 +122,7 @@ int ReplayLiveRun(const ReplayOptions& options, RunFolder run) {
   return problems.empty() ? result : 1;
 }
 
-// To tell a recording its log is enough; to recompute it takes a run folder.
+// To narrate a recording its log is enough; recomputing needs a run folder.
 RunFolder FolderOf(const ReplayOptions& options) {
   const std::filesystem::path path = options.run;
   const bool is_recording =

@@ -22,7 +22,7 @@
 namespace cell::cli {
 namespace {
 
-/// [s] A service tells its processor time every second; a share takes two.
+/// [s] A service reports its processor time every second; a share needs two.
 constexpr double kMaxHealthS = 2.5;
 
 struct TopOptions {
@@ -39,7 +39,7 @@ int RunTop(const TopOptions& options) {
   LcmPort main(address.MainUrl());
   LcmPort control(address.ControlUrl());
   main.Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
-    traffic.Hear(channel, std::move(bytes));
+    traffic.OnMessage(channel, std::move(bytes));
   });
   control.Subscribe(
       kHealthChannel, [&](const std::string& channel, Bytes bytes) {
@@ -66,7 +66,7 @@ int RunTop(const TopOptions& options) {
     }
     const double now = clock.ElapsedSeconds();
     if (is_redrawn) WriteTerminalCode(std::cout, "\x1b[H\x1b[2J");
-    std::cout << TrafficTable(traffic.Take(now - begin),
+    std::cout << TrafficTable(traffic.MakeReport(now - begin),
                               TerminalColumns(STDOUT_FILENO))
               << std::flush;
     begin = now;
@@ -86,7 +86,7 @@ void AddTop(CLI::App& app, Action* action) {
   options->address.AddTo(*command);
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
-  command->add_option("--period", options->period_s, "[s]")
+  command->add_option("--period", options->period_s, "[s] between reports")
       ->check(NumberIn(0.1, 60.))
       ->capture_default_str();
   command

@@ -22,6 +22,8 @@
 namespace cell::cli {
 namespace {
 
+constexpr char kFrame[] = "FRAME_";  // and the number of the camera set
+
 struct ViewOptions {
   std::string run;
   std::string out = "scene.png";
@@ -55,7 +57,12 @@ M MessageAt(const RunFolder& run, const std::string& channel,
       last = std::move(decoded);
     }
   }
-  if (!last) throw std::runtime_error("the log holds no " + channel);
+  if (!last) {
+    throw std::runtime_error(
+        run.path.string() + ": the log holds no " + channel +
+        (channel.starts_with(kFrame) ? "; only runs with --cameras have frames"
+                                     : ""));
+  }
   return *last;
 }
 
@@ -78,7 +85,7 @@ int ViewScene(const RunFolder& run, const ViewOptions& options) {
 }
 
 int ViewFrame(const RunFolder& run, const ViewOptions& options) {
-  const std::string channel = "FRAME_" + options.camera;
+  const std::string channel = kFrame + options.camera;
   const auto message = MessageAt<rgbd_frame_t>(run, channel, options.at_s);
   const auto frame = FrameFromMessage(message);
   if (!frame) {

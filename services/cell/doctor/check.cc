@@ -24,7 +24,7 @@ std::string LineOf(const std::string& check, const Diagnosis& diagnosis) {
 
 }  // namespace
 
-// Names of processes and files are anybody's.
+// Names of processes and files are untrusted text.
 std::string ToString(const std::string& check, const Diagnosis& diagnosis) {
   return Printable(LineOf(check, diagnosis));
 }

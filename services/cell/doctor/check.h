@@ -23,7 +23,7 @@ struct Site {
   int64_t min_free_bytes = int64_t{2} << 30;
 };
 
-/// What one check says.
+/// The result of one check.
 struct Diagnosis {
   enum class Level { kOk, kWarning, kBad };
   Level level = Level::kOk;

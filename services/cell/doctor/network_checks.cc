@@ -16,7 +16,7 @@ namespace {
 constexpr char kAddRoute[] = "ip route replace 224.0.0.0/4 dev lo";
 
 bool IsLoopbackUp(const Machine& machine, const Site& site) {
-  return HearsMulticast(
+  return ReceivesMulticast(
       "lo", machine.Read(site.root + "/proc/net/igmp").value_or(""));
 }
 
@@ -68,7 +68,7 @@ Diagnosis CheckTtl(const Machine& machine, const Site& site) {
                   site.address.group, site.address.port));
 }
 
-// The control port is heard by the cell's clock alone.
+// Only the cell's clock may receive on the control port.
 Diagnosis CheckControlPort(const Machine& machine, const Site& site) {
   const int port = site.address.port + 1;
   const auto owners = OwnersOfUdpPort(machine, site.root, port);

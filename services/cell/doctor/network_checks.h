@@ -6,8 +6,8 @@
 
 namespace cell::cli {
 
-/// Whether datagrams of the cell arrive at all who should hear them, and at
-/// nobody else: loopback, multicast route, TTL, ports, receive buffers. Pure.
+/// Checks that datagrams of the cell reach all its processes, and no others:
+/// loopback, multicast route, TTL, ports, receive buffers. Pure.
 std::vector<Check> NetworkChecks();
 
 }  // namespace cell::cli

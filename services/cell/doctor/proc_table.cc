@@ -75,7 +75,8 @@ std::optional<std::string> RouteTo(const std::string& address,
   return device;
 }
 
-bool HearsMulticast(const std::string& device, const std::string& igmp_table) {
+bool ReceivesMulticast(const std::string& device,
+                       const std::string& igmp_table) {
   std::istringstream lines(igmp_table);
   for (std::string line; std::getline(lines, line);) {
     const auto words = WordsOf(line);

@@ -9,7 +9,7 @@
 
 namespace cell::cli {
 
-// What the kernel says in /proc, in its own forms. Pure.
+// Reads the tables of the kernel in /proc. Pure.
 
 /// The device that datagrams to `address` ("239.255.76.67") leave by, from the
 /// text of /proc/net/route; nothing if no route leads there.
@@ -17,7 +17,8 @@ std::optional<std::string> RouteTo(const std::string& address,
                                    const std::string& route_table);
 
 /// Whether a device is up and takes multicast, from the text of /proc/net/igmp.
-bool HearsMulticast(const std::string& device, const std::string& igmp_table);
+bool ReceivesMulticast(const std::string& device,
+                       const std::string& igmp_table);
 
 struct ProcessName {
   int pid = 0;

@@ -48,7 +48,7 @@ Diagnosis CheckRoster(const Machine&, const Site& site) {
   }
 }
 
-// Every service is built from its files and lives for a tick.
+// Every service is built from its files and runs for one tick.
 Diagnosis CheckConfiguration(const Machine&, const Site& site) {
   CellFiles files;
   try {
@@ -137,7 +137,8 @@ TypeTexts TypeTextsIn(const Machine& machine, const std::string& folder) {
   return texts;
 }
 
-// Run folders keep a copy of these texts: they must be what programs speak.
+// Run folders keep a copy of these texts: they must be the definitions that the
+// programs are built with.
 Diagnosis CheckTypes(const Machine& machine, const Site& site) {
   std::string folder;
   try {

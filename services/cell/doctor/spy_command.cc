@@ -9,7 +9,7 @@ namespace {
 
 constexpr char kInstall[] = "apt-get install -y --no-install-recommends ";
 
-// The first Java whose toolkit is complete: the headless one has no windows.
+// The first Java with a complete toolkit: the headless one has no windows.
 std::string FindJava(const Machine& machine, const std::string& root,
                      bool* is_headless) {
   const std::string folder = root + "/usr/lib/jvm";

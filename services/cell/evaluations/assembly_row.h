@@ -16,15 +16,15 @@ inline constexpr char kExecutionScript[] = "execution";
 
 /// A row of an evaluation: one assembly by the cell in one process, scored by
 /// the ground truth at its end, its motions checked on the way. `script`: of
-/// the task's demonstrators.yaml. `intervene`: called before the run, what it
-/// returns hears every message and may schedule what the bus shall do.
+/// the task's demonstrators.yaml. `intervene`: called before the run; its
+/// result receives every message and may schedule outages of services.
 using Intervention =
     std::function<std::function<void(const Message&)>(SimBus& bus)>;
 nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
                            const Deployment& deployment, const Roster& roster,
                            const Intervention& intervene = {});
 
-/// What a row says of the motions in its run.
+/// True if the motions of the row's run kept all limits.
 bool HasKeptLimits(const nlohmann::json& row);
 bool HasHitNothing(const nlohmann::json& row);
 

@@ -3,6 +3,7 @@
 #include "services/cell/evaluations/assembly_evaluation.h"
 #include "services/cell/evaluations/disturbed_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
+#include "services/cell/evaluations/keyframes_evaluation.h"
 #include "services/cell/evaluations/stops_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
@@ -29,6 +30,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
   all.push_back(MakeInsertionEvaluation());
+  all.push_back(MakeKeyframesEvaluation());
   return all;
 }
 

@@ -9,7 +9,7 @@
 
 #include "common/bus/roster.h"
 #include "common/config/deployment.h"
-#include "services/cell/evaluations/interval.h"
+#include "services/cell/scoring/interval.h"
 
 namespace cell::cli {
 
@@ -24,8 +24,8 @@ struct Measure {
   double value() const { return num_all > 0 ? 1.0 * num_good / num_all : 0; }
   Interval interval() const { return WilsonInterval(num_good, num_all); }
   bool is_met() const { return num_all > 0 && value() >= goal; }
-  /// "met" only where the interval says so, too: few trials do not show that a
-  /// rate is as good as the goal.
+  /// "met" only if the whole interval meets the goal: a rate of a few trials is
+  /// not enough.
   std::string verdict() const;
 };
 

@@ -9,6 +9,7 @@
 #include "cell/skill_request_t.hpp"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
+#include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/evaluations/skill_driver.h"
 #include "services/cell/running/service_registry.h"
@@ -82,7 +83,7 @@ Roster RosterOf(const Roster& whole) {
       roster.entries.push_back(entry);
     }
   }
-  roster.entries.push_back({"driver"});
+  roster.entries.push_back({.name = "driver", .feeds_clock = true});
   return roster;
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 struct Worker {
   pid_t pid;
-  int fd;  // what it says
+  int fd;  // its result
   size_t index;
-  std::string said;
+  std::string result;
 };
 
 [[noreturn]] void Work(const std::function<std::string(size_t)>& job,
@@ -63,7 +63,7 @@ Worker StartWorker(const std::function<std::string(size_t)>& job,
 bool Listen(Worker* worker) {
   std::array<char, 4096> buffer{};
   const ssize_t n = read(worker->fd, buffer.data(), buffer.size());
-  if (n > 0) worker->said.append(buffer.data(), static_cast<size_t>(n));
+  if (n > 0) worker->result.append(buffer.data(), static_cast<size_t>(n));
   return n == 0 || (n < 0 && errno != EINTR);
 }
 
@@ -71,7 +71,7 @@ void Bury(Worker* worker) {
   close(worker->fd);
   int status = 0;
   waitpid(worker->pid, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) worker->said.clear();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) worker->result.clear();
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void RunJobs(const std::vector<size_t>& indices, int num_processes,
     for (size_t i = workers.size(); i-- > 0;) {
       if (descriptors[i].revents == 0 || !Listen(&workers[i])) continue;
       Bury(&workers[i]);
-      done(workers[i].index, workers[i].said);
+      done(workers[i].index, workers[i].result);
       workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }

@@ -7,10 +7,10 @@
 namespace cell::cli {
 
 /// Runs `job(i)` for every i of `indices` in processes of their own, at most
-/// `num_processes` at a time; `done(i, result)` hears each result as it comes,
-/// in the order of completion. A job that dies or throws gives an empty result.
-/// `may_go_on` is asked at least twice a second; once it says no, the jobs that
-/// run are ended without a result. Device adapter.
+/// `num_processes` at a time; `done(i, result)` is called for each result, in
+/// the order of completion. A job that dies or throws gives an empty result.
+/// `may_go_on` is called at least twice a second; once it returns false,
+/// running jobs are ended without a result. Device adapter.
 void RunJobs(
     const std::vector<size_t>& indices, int num_processes,
     const std::function<std::string(size_t)>& job,

@@ -11,7 +11,7 @@ namespace cell::cli {
 
 /// Measures over the rows of a group, named "<group>: <what>".
 ///
-/// Sums of two whole-numbered fields: so many of so many.
+/// Sums of two whole-numbered fields: successes of trials.
 Measure ShareOf(const std::vector<nlohmann::json>& rows,
                 const std::string& group, const std::string& what,
                 const std::string& good, const std::string& all);

@@ -8,8 +8,8 @@
 namespace cell::cli {
 
 /// The rows of an evaluation, one JSON object a line, appended as they come, so
-/// that a cut evaluation can go on. While it lives, no other process writes to
-/// the file. Storage adapter.
+/// that an interrupted evaluation can go on. While it exists, no other process
+/// writes to the file. Storage adapter.
 class RowStore {
  public:
   /// With `is_resumed`, keeps the rows that are there (a cut last line is

@@ -11,8 +11,8 @@
 namespace cell::cli {
 
 /// Stands in for planner and supervisor where single skills are tried: lets the
-/// arms move and asks for one skill after the other, then says that the task is
-/// done.
+/// arms move and requests one skill after the other, then reports that the task
+/// is done.
 class SkillDriver final : public Service {
  public:
   struct Task {

@@ -14,7 +14,7 @@ struct StopChoice {
   std::string stage;  ///< as ARM_REPORT names the phase, or its beginning
   int32_t delay = 0;  ///< [ticks] from its beginning
   StopKind kind = StopKind::kProtective;
-  int32_t duration = 0;  ///< [ticks] until the operator resumes or it lives
+  int32_t duration = 0;  ///< [ticks] until the operator resumes or it restarts
 };
 
 enum class StoppedSkill { kInsert, kInsertTurning, kSetDown };

@@ -24,7 +24,7 @@ namespace cell::cli {
 struct MadeStop {
   StopKind kind = StopKind::kProtective;
   int32_t tick = 0;
-  int32_t end_tick = 0;  ///< the operator resumes, or the service lives
+  int32_t end_tick = 0;  ///< the operator resumes, or the service restarts
   std::string arm;
   std::string part;   ///< of the arm's skill
   std::string stage;  ///< in which it was; empty: between two skills

@@ -15,6 +15,7 @@
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/command_mode_t.hpp"
+#include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/health_t.hpp"
@@ -68,6 +69,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},
+      {"COMMAND_NAME", Of<command_name_t>()},
       {"EPISODE", Of<episode_t>()},
       {"EXECUTION", Of<execution_t>()},
       {"FRAME_1", Of<rgbd_frame_t>()},

@@ -72,7 +72,7 @@ class Auditor {
       audit_.findings.push_back(std::move(finding));
     }
     if (!audit_.is_canonical) {
-      // With TICKs it is they that tell what is missing.
+      // With TICKs, missing messages are found by the manifests.
       std::ranges::move(
           FindOddStamps(index_, {.has_silences = audit_.manifests.empty()}),
           std::back_inserter(audit_.findings));
@@ -229,9 +229,9 @@ class Auditor {
     }
   }
 
-  // What no TICK can name, for it is lost, is kept; what a cell says after its
-  // last TICK is none of the run, nor what a service said in the tick in which
-  // it died.
+  // Keeps messages that no TICK names because it is lost. Messages after the
+  // cell's last TICK do not belong to the run, nor do those of a service in the
+  // tick in which it died.
   void KeepUnproved() {
     std::set<std::tuple<std::string, int32_t, int32_t, int64_t>> kept;
     for (const auto& [named_in, entries] : named_by_) {

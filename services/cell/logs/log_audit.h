@@ -24,7 +24,7 @@ struct KeptEvent {
   std::shared_ptr<const Bytes> bytes;
 };
 
-/// All that can be said of a log of a cell.
+/// The findings of an audit of a cell's log.
 struct LogAudit {
   /// Whether it is in the recorder's form: sim stamps, numbered through. Then
   /// every byte is accounted for; other recordings may also hold what a cell's
@@ -42,10 +42,10 @@ struct LogAudit {
   int64_t num_unproved = 0;
 };
 
-/// Holds a log against its manifests, its own numbers and stamps, and the
-/// cell's message types. Names every message that is lost, also where the TICK
-/// that named it is, by the numbers of those after it; where none came after
-/// it, says after which one it cannot tell. Pure.
+/// Checks a log against its manifests, its own numbers and stamps, and the
+/// cell's message types. Names every lost message; where the TICK that named it
+/// is lost, too, by the numbers of later ones. If there is no later one,
+/// reports after which message more may be missing. Pure.
 LogAudit AuditLog(const LogIndex& index);
 
 }  // namespace cell::cli

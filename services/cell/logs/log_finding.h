@@ -18,7 +18,7 @@ struct LogFinding {
 
 /// The same with one finding for each place, those without one first, in the
 /// order of files and places. Many in a row, each right after the other, have
-/// one cause: the first of them stands for all. Pure.
+/// one cause: only the first of them is returned. Pure.
 std::vector<LogFinding> ByPlace(std::vector<LogFinding> findings);
 
 /// "cell-0001.lcmlog byte 5132 (97 bytes): tick 13: SUM: ..."

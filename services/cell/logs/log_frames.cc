@@ -14,19 +14,19 @@
 namespace cell::cli {
 namespace {
 
-// Which events a damage has cost, by the numbers of its neighbours.
+// The events lost in a corrupt range, by the numbers of its neighbours.
 std::string NumbersLostAt(const LogIndex& index,
-                          const LogIndex::CorruptRange& damage) {
+                          const LogIndex::CorruptRange& range) {
   const auto& entries = index.entries;
   const auto next = std::partition_point(
       entries.begin(), entries.end(), [&](const LogEntry& entry) {
         return std::tie(entry.file, entry.offset) <
-               std::tie(damage.file, damage.offset);
+               std::tie(range.file, range.offset);
       });
   const bool has_before =
-      next != entries.begin() && (next - 1)->file == damage.file;
+      next != entries.begin() && (next - 1)->file == range.file;
   const int64_t from = has_before ? (next - 1)->number + 1 : 0;
-  if (next == entries.end() || next->file != damage.file) {
+  if (next == entries.end() || next->file != range.file) {
     return fmt::format("; event {} and what may follow are lost", from);
   }
   if (next->number == from) return "";  // the event before is cut short
@@ -52,11 +52,11 @@ LogFinding FindingAt(const LogIndex& index, size_t entry, std::string text) {
 std::vector<LogFinding> FindOddFrames(const LogIndex& index,
                                       bool is_canonical) {
   std::vector<LogFinding> findings;
-  for (const auto& damage : index.corrupt_ranges) {
+  for (const auto& range : index.corrupt_ranges) {
     findings.push_back(
-        {index.files[damage.file].filename().string(), damage.offset,
-         damage.length, -1, "",
-         "no whole event begins here" + NumbersLostAt(index, damage)});
+        {index.files[range.file].filename().string(), range.offset,
+         range.length, -1, "",
+         "no whole event begins here" + NumbersLostAt(index, range)});
   }
   std::ranges::move(FindOddNumbers(index, is_canonical),
                     std::back_inserter(findings));

@@ -57,8 +57,8 @@ LogIndex ReadLogIndex(const std::vector<std::filesystem::path>& logs) {
           "{}: is not an LCM log: no event in its {} bytes",
           logs[file].string(), std::filesystem::file_size(logs[file])));
     }
-    for (const auto& damage : reader.corrupt_ranges()) {
-      index.corrupt_ranges.push_back({file, damage.offset, damage.length});
+    for (const auto& range : reader.corrupt_ranges()) {
+      index.corrupt_ranges.push_back({file, range.offset, range.length});
     }
   }
   return index;

@@ -10,13 +10,13 @@
 
 namespace cell::cli {
 
-/// What an event of a log says of itself, without its payload.
+/// An event of a log without its payload.
 struct LogEntry {
   size_t file = 0;        ///< of LogIndex::files
   int64_t offset = 0;     ///< [bytes] in the file
   int64_t size = 0;       ///< [bytes] of the whole event
   int64_t number = 0;     ///< that the log gives it
-  int64_t utime = 0;      ///< when the log says that it came
+  int64_t utime = 0;      ///< time of arrival by the log
   bool is_short = false;  ///< holds no header: not a message of the cell
   int64_t type_hash = 0;  ///< LCM's fingerprint of the message type
   bool is_tick = false;   ///< by its channel or its type: one may be damaged

@@ -12,7 +12,7 @@
 namespace cell::cli {
 namespace {
 
-/// More jumps, or steps back, are said in one line.
+/// More jumps, or steps back, are reported in one line.
 constexpr size_t kMaxOfAKind = 20;
 constexpr size_t kMaxSilences = 3;
 constexpr int64_t kLeastSilenceUs = 1'000'000;
@@ -70,7 +70,8 @@ std::vector<LogFinding> FindOddNumbers(const LogIndex& index,
   for (size_t i = 0; i < index.entries.size(); ++i) {
     const LogEntry& entry = index.entries[i];
     if (i > 0 && index.entries[i - 1].file != entry.file) expected = end = 0;
-    if (entry.offset != end) expected = entry.number;  // damage: told already
+    if (entry.offset != end)
+      expected = entry.number;  // corrupt: reported already
     end = entry.offset + entry.size;
     const LogEntry* next = Next(index, i);
     if (entry.number == expected) {

@@ -10,16 +10,15 @@ namespace cell::cli {
 
 /// Where the numbers that a log gives its events, 0, 1, 2, ... in each file,
 /// jump: one finding for each jump, one for all of them if they are many. An
-/// event between two others whose numbers follow each other is one that
-/// somebody has put there. Pure.
+/// event between two others with consecutive numbers was inserted later. Pure.
 std::vector<LogFinding> FindOddNumbers(const LogIndex& index,
                                        bool is_canonical);
 
 /// How a log's stamps should be.
 struct StampRules {
-  /// [us] An event may be so much earlier than the one before it.
+  /// [us] An event may be earlier than the one before it by this.
   int64_t backward_us = 0;
-  /// False: silences say nothing, for something else tells what is missing.
+  /// False if pauses mean nothing, since manifests show what is missing.
   bool has_silences = true;
 };
 

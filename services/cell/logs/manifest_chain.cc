@@ -15,7 +15,7 @@ namespace {
 
 using Candidates = std::map<int32_t, std::vector<ManifestLink>>;
 
-// A TICK says three times which one it is.
+// A TICK holds its number three times.
 bool IsConsistent(const tick_t& tick) {
   return tick.header.tick >= 0 && tick.header.sender == 0 &&
          tick.header.seq == tick.header.tick &&
@@ -184,8 +184,8 @@ class ChainFinder {
     return is_guess_right ? guess : seen;
   }
 
-  // Whether the one byte is that of a channel, and the message is what has the
-  // wrong one: the TICK's is heard elsewhere.
+  // True if the one byte is that of a channel, and the message has the wrong
+  // one: the TICK's channel occurs elsewhere.
   bool NamesOtherChannel(const tick_t& seen, const tick_t& guess) const {
     for (size_t i = 0; i < seen.flows.size() && i < guess.flows.size(); ++i) {
       const std::string& channel = seen.flows[i].channel;

@@ -11,8 +11,8 @@
 
 namespace cell::cli {
 
-/// From which tick to which a log of a run goes. Its first and last TICKs may
-/// be lost: then what was heard before and after those that are left tells.
+/// The first and the last tick of a log of a run. If its first or last TICKs
+/// are lost, they follow from messages before and after those that are left.
 /// Pure.
 class RunExtent {
  public:
@@ -23,9 +23,9 @@ class RunExtent {
 
   /// The first tick that the log holds from its beginning.
   int32_t begin() const { return begin_; }
-  /// The last tick of which it holds something.
+  /// The last tick with a message in the log.
   int32_t end() const { return end_; }
-  /// True if it holds the TICK that says that it is the last.
+  /// True if it holds the TICK that is marked as the last one.
   bool is_whole_end() const { return is_whole_end_; }
 
   /// Channel and sender of all that its TICKs name.
@@ -35,8 +35,8 @@ class RunExtent {
 
   /// True if an entry which TICK `named_in` should name is of the run.
   bool Contains(size_t entry, int32_t named_in) const;
-  /// True if an entry that no TICK names can be believed to be the cell's, and
-  /// of the tick that it says.
+  /// True if an entry that no TICK names is probably the cell's, and of the
+  /// tick in its header.
   bool IsTrusted(size_t entry) const;
 
  private:

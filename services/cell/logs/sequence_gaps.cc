@@ -7,7 +7,7 @@
 namespace cell::cli {
 namespace {
 
-/// More in one row are said in one line.
+/// More in one row are reported in one line.
 constexpr int64_t kMaxLines = 1000;
 
 // Those from `from` up to, but without, `to`, which lie in ticks a to b.

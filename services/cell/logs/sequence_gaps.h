@@ -10,16 +10,16 @@
 
 namespace cell::cli {
 
-/// Names messages whose TICK is lost as well: each sender numbers what it says
-/// on a channel from 0 on, without gaps. Pure.
+/// Finds lost messages when their TICK is lost, too: each sender numbers its
+/// messages on a channel from 0 on, without gaps. Pure.
 class SequenceGaps {
  public:
   /// A message that the log holds, or that one of its TICKs names.
   void Put(const std::string& channel, int32_t sender, int32_t seq,
            int32_t tick);
-  /// A sender that has said nothing before `tick`.
+  /// A sender without messages before `tick`.
   void PutBirth(int32_t sender, int32_t tick) { births_[sender] = tick; }
-  /// A sender that says nothing from `tick` on.
+  /// A sender without messages from `tick` on.
   void PutDeath(int32_t sender, int32_t tick) { deaths_[sender] = tick; }
   bool IsDeadIn(int32_t sender, int32_t tick) const;
 

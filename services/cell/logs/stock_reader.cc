@@ -18,7 +18,7 @@ void Require(bool is_done, const char* step) {
   if (!is_done) throw std::system_error(errno, std::generic_category(), step);
 }
 
-// Says the number of events so far after each of them.
+// Writes the number of events so far after each event.
 [[noreturn]] void ReadInChild(const std::filesystem::path& log, int out) {
   // No event is longer than the file.
   const rlim_t size = (rlim_t{1} << 30) + std::filesystem::file_size(log);

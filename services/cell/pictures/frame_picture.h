@@ -4,9 +4,9 @@
 
 namespace cell::cli {
 
-/// What a frame has measured, as grey: the nearer, the brighter, from the
-/// furthest to the nearest in the picture, which its foot says in m; black
-/// where nothing was measured.
+/// The depth of a frame in grey: the nearer, the brighter, from the furthest to
+/// the nearest in the picture, with a scale in m at its foot; black where there
+/// is no measurement.
 RgbImage GreyOfDepth(const RgbdFrame& frame);
 
 }  // namespace cell::cli

@@ -92,11 +92,8 @@ void LabelParts(const RenderScene& scene, const PartTable& parts,
 
 }  // namespace
 
-std::map<std::string, int> DrawScene(const Deployment& deployment,
-                                     const truth_poses_t& poses,
-                                     const Viewpoint& viewpoint,
-                                     const std::filesystem::path& path) {
-  const Task task = LoadTask(deployment);
+ScenePicture PictureOf(const Task& task, const truth_poses_t& poses,
+                       const Viewpoint& viewpoint) {
   const RenderScene scene(BodiesOf(task.parts, task.layout));
   std::map<std::string, Eigen::Isometry3d> X_WO;
   for (const body_pose_t& body : poses.bodies) {
@@ -111,15 +108,26 @@ std::map<std::string, int> DrawScene(const Deployment& deployment,
       CameraThatFrames(PointsOf(viewpoint.focus, scene, task.parts, X_WO),
                        ShapeOf(viewpoint)),
       params);
-  RgbImage picture = viewpoint.is_of_ids ? image.IdPicture() : image.colour;
-  if (viewpoint.has_labels) LabelParts(scene, task.parts, image, &picture);
-  WritePng(path, picture);
-  std::map<std::string, int> num_pixels;
+  ScenePicture picture{viewpoint.is_of_ids ? image.IdPicture() : image.colour,
+                       {}};
+  if (viewpoint.has_labels) {
+    LabelParts(scene, task.parts, image, &picture.image);
+  }
   for (const auto& [id, num] : image.NumPixels()) {
     if (id < 0) continue;
-    num_pixels[scene.bodies()[static_cast<size_t>(id)].name] = num;
+    picture.num_pixels[scene.bodies()[static_cast<size_t>(id)].name] = num;
   }
-  return num_pixels;
+  return picture;
+}
+
+std::map<std::string, int> DrawScene(const Deployment& deployment,
+                                     const truth_poses_t& poses,
+                                     const Viewpoint& viewpoint,
+                                     const std::filesystem::path& path) {
+  const ScenePicture picture =
+      PictureOf(LoadTask(deployment), poses, viewpoint);
+  WritePng(path, picture.image);
+  return picture.num_pixels;
 }
 
 }  // namespace cell::cli

@@ -6,6 +6,8 @@
 
 #include "cell/truth_poses_t.hpp"
 #include "common/config/deployment.h"
+#include "common/imaging/rgb_image.h"
+#include "common/task/task.h"
 
 namespace cell::cli {
 
@@ -21,6 +23,17 @@ struct Viewpoint {
   bool is_of_ids = false;   ///< give every body its own colour
   bool has_labels = false;  ///< each part that is seen has its name on it
 };
+
+/// A picture of the cell, and the pixels that each body covers.
+struct ScenePicture {
+  RgbImage image;
+  std::map<std::string, int> num_pixels;
+};
+
+/// The cell as TRUTH_POSES has it.
+/// @throws std::invalid_argument for a focus that is not there.
+ScenePicture PictureOf(const Task& task, const truth_poses_t& poses,
+                       const Viewpoint& viewpoint);
 
 /// Draws the cell as TRUTH_POSES has it into a PNG file.
 /// @return pixels that each body covers.

@@ -36,8 +36,8 @@ class Narrator {
   bool is_verbose_;
   std::map<std::pair<std::string, std::string>, int8_t> relations_;
   std::map<std::string, int8_t> literals_;
-  std::string hold_reason_;   // last told
-  std::string plan_summary_;  // last told
+  std::string hold_reason_;   // last printed
+  std::string plan_summary_;  // last printed
 };
 
 }  // namespace cell::cli

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/text/counted.h"
-#include "services/cell/evaluations/interval.h"
+#include "services/cell/scoring/interval.h"
 
 namespace cell::cli {
 namespace {

@@ -36,7 +36,8 @@ std::string SummarizeWatched(const EpisodeRecord& record) {
                             : "the goal is not reached");
 }
 
-// The last word of whoever ended the run for want of an operator.
+// The last message of the process that ended the run because no operator is
+// there.
 std::optional<std::string> WhyUnattended(const EpisodeRecord& record) {
   const auto at =
       std::ranges::find(record.alerts, alert_t::UNATTENDED, &alert_t::cause);
@@ -44,14 +45,14 @@ std::optional<std::string> WhyUnattended(const EpisodeRecord& record) {
   return at->text;
 }
 
-// A person was to do something, and nobody was there.
+// True if the cell waited for a person, and none was there.
 bool HasWaitedInVain(const EpisodeRecord& record) {
   return WhyUnattended(record) ||
          (record.episode.agent == "robot" && record.execution &&
           record.execution->state == execution_t::STUCK);
 }
 
-// Why the robot has not done all, from what it said last.
+// Why the robot has not reached the goal, from its last message.
 std::string WhyNot(const EpisodeRecord& record) {
   if (const auto why = WhyUnattended(record)) return *why;
   if (record.execution && record.execution->state == execution_t::STUCK) {

@@ -13,8 +13,8 @@
 
 namespace cell::cli {
 
-/// Tells on the terminal what a run does, from its log as it grows, and sums it
-/// up. With --hash it says nothing but the digests of the channels.
+/// Prints what happens in a run, from its log as it grows, and a summary. With
+/// --hash it prints only the digests of the channels.
 class RunReport {
  public:
   RunReport(const RunFolder& run, const RunOptions& options);

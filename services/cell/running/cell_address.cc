@@ -18,8 +18,8 @@
 namespace cell::cli {
 namespace {
 
-/// A cell says something every 8 ms of its time; one that computes may take
-/// longer.
+/// A cell publishes every 8 ms of its time, which may take longer while it
+/// computes.
 constexpr int kMaxWaitMs = 500;
 
 bool IsCellHeard(const LcmAddress& address) {

@@ -9,17 +9,17 @@ class Option;
 
 namespace cell::cli {
 
-/// Where a command finds the cell that it is for: at --url if that is given; in
-/// the network of `cell demo` number --demo if that is; else on this network
-/// if a cell is heard there, or else in the only demo of this user.
+/// The address of the cell that a command is for: --url if that is given; the
+/// network of `cell demo` number --demo if that is given; else this network if
+/// a cell is heard there, or else the only demo of this user.
 class CellAddress {
  public:
   /// Adds --url, --allow-network and --demo. This must outlive the parsing.
   void AddTo(CLI::App& app);
 
   /// Before the process starts threads: it may move into a demo's network, and
-  /// then says so on standard error. @throws std::invalid_argument that names
-  /// the option, or the demos among which one has to choose.
+  /// then reports it on standard error. @throws std::invalid_argument that
+  /// names the option, or the demos among which one has to choose.
   LcmAddress Reach() const;
 
  private:

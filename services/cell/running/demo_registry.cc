@@ -28,7 +28,7 @@ fs::path RegistryFolder() {
   return fmt::format("/tmp/cell-{}", geteuid());
 }
 
-/// Nobody else may write there: what stands in it is believed.
+/// True if only this user can write there, so that its files can be trusted.
 bool IsOwn(const fs::path& folder) {
   struct stat status {};
   return lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&

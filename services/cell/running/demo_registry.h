@@ -12,7 +12,7 @@ struct RunningDemo {
 };
 
 /// Lets other commands of this user find this process, which runs a demo on a
-/// network of its own, as long as this object lives: a file in
+/// network of its own, as long as this object exists: a file in
 /// $XDG_RUNTIME_DIR/cell, or in /tmp/cell-UID where that is not set.
 class DemoRegistration {
  public:

@@ -4,7 +4,7 @@
 
 namespace cell::cli {
 
-/// What systemctl said as it failed, and who had asked it.
+/// The output of a systemctl that failed, and the user who called it.
 struct ManagerFailure {
   std::string output;
   int exit_code = 1;

@@ -16,7 +16,7 @@ namespace cell::cli {
 namespace {
 
 constexpr int kStepMs = 20;
-/// Before the command: whether there is a cell at all.
+/// Before the command: if nothing is heard for this long, there is no cell.
 constexpr int kMaxFirstSilenceMs = 5'000;
 /// After it, without a word of the cell's time.
 constexpr int kMaxSilenceMs = 10'000;
@@ -36,7 +36,7 @@ void AddOperatorOptions(CLI::App& command, OperatorOptions* options) {
       ->capture_default_str();
 }
 
-// The cell's time now comes from what is said in every tick: TICK in lockstep,
+// The cell's present time comes from a message of every tick: TICK in lockstep,
 // MOTION_PERMIT in a live cell.
 OperatorPort::OperatorPort(const OperatorOptions& options,
                            OperatorCommand command)

@@ -26,7 +26,7 @@ struct OperatorOptions {
 /// parsing.
 void AddOperatorOptions(CLI::App& command, OperatorOptions* options);
 
-/// What an operator commands, and who is to answer.
+/// An operator's command, and the service that answers it.
 struct OperatorCommand {
   std::string channel;  ///< COMMAND_*
   std::string service;  ///< that takes it
@@ -42,8 +42,8 @@ class OperatorPort {
 
   /// Fills in header.utime and the deadline, sends the command, waits for its
   /// answer and prints it. Returns 0 if the command was accepted, 1 if it was
-  /// refused. @throws std::runtime_error, naming who was to answer, if nobody
-  /// has by a few seconds past the deadline.
+  /// refused. @throws std::runtime_error, naming the service that should
+  /// answer, if there is no answer a few seconds past the deadline.
   template <class Command>
   int Execute(Command command) {
     command.header.utime = *utime_;

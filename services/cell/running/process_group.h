@@ -10,7 +10,7 @@
 
 namespace cell::cli {
 
-/// The exit code of a process whose program could not be run.
+/// The exit code of a process if its program could not be run.
 inline constexpr int kExitNoProgram = 127;
 
 /// The processes of a cell under one launcher: starts them, sees them die,
@@ -30,7 +30,7 @@ class ProcessGroup {
   ProcessGroup& operator=(const ProcessGroup&) = delete;
   ~ProcessGroup();
 
-  /// What the process says goes to `log` (appended).
+  /// The output of the process is appended to `log`.
   /// @throws std::runtime_error naming the program if it cannot be started.
   void Start(const std::string& name, const std::filesystem::path& program,
              const std::vector<std::string>& arguments,

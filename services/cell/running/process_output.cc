@@ -39,7 +39,7 @@ std::vector<std::string> ProcessOutput::TakeLines() {
   std::vector<std::string> lines;
   std::erase_if(pipes_, [&](Pipe& pipe) {
     if (Read(pipe, &lines)) return false;
-    if (!pipe.begun.empty()) Take(pipe, std::move(pipe.begun), &lines);
+    if (!pipe.begun.empty()) OnLine(pipe, std::move(pipe.begun), &lines);
     CloseBoth(pipe.in, pipe.copy);
     return true;
   });
@@ -64,15 +64,15 @@ bool ProcessOutput::Read(Pipe& pipe, std::vector<std::string>* lines) {
     pipe.begun.append(buffer.data(), num);
     size_t end = 0;
     while ((end = pipe.begun.find('\n')) != std::string::npos) {
-      Take(pipe, pipe.begun.substr(0, end), lines);
+      OnLine(pipe, pipe.begun.substr(0, end), lines);
       pipe.begun.erase(0, end + 1);
     }
   }
   return size < 0 && (errno == EAGAIN || errno == EINTR);
 }
 
-void ProcessOutput::Take(const Pipe& pipe, std::string line,
-                         std::vector<std::string>* lines) {
+void ProcessOutput::OnLine(const Pipe& pipe, std::string line,
+                           std::vector<std::string>* lines) {
   last_lines_[pipe.name] = line;
   lines->push_back(std::move(line));
 }

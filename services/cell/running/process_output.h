@@ -18,16 +18,16 @@ class ProcessOutput {
   ProcessOutput& operator=(const ProcessOutput&) = delete;
   ~ProcessOutput();
 
-  /// The end of a new pipe that process `name` is to write to; whoever starts
-  /// it closes its own. The copy is appended to `copy`.
-  /// @throws std::system_error if there is no pipe to be had.
+  /// The end of a new pipe that process `name` is to write to; the caller
+  /// closes it after the start. The output is also appended to `copy`. @throws
+  /// std::system_error if there is no pipe.
   int Open(const std::string& name, const std::filesystem::path& copy);
 
-  /// The whole lines that have come since the last call, and what a process
-  /// that has ended had begun.
+  /// The whole lines that have come since the last call, and the incomplete
+  /// last line of a process that has ended.
   std::vector<std::string> TakeLines();
 
-  /// The last line that `name` has said of those taken; empty if none.
+  /// The last line of `name` among those taken; empty if none.
   std::string LastLineOf(const std::string& name) const;
 
  private:
@@ -40,8 +40,8 @@ class ProcessOutput {
 
   /// False at its end.
   bool Read(Pipe& pipe, std::vector<std::string>* lines);
-  void Take(const Pipe& pipe, std::string line,
-            std::vector<std::string>* lines);
+  void OnLine(const Pipe& pipe, std::string line,
+              std::vector<std::string>* lines);
 
   std::vector<Pipe> pipes_;
   std::map<std::string, std::string> last_lines_;

@@ -5,8 +5,8 @@
 
 namespace cell::cli {
 
-/// One line on a terminal that says how far long work has come; silent where
-/// nobody watches. Device adapter.
+/// One line on a terminal that shows the progress of long work; silent if the
+/// output is no terminal. Device adapter.
 class Progress {
  public:
   Progress();

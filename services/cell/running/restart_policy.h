@@ -8,14 +8,14 @@
 
 namespace cell::cli {
 
-/// Which services that die are started again: not those whose reason lasts. A
-/// reason lasts if the arguments or files are wrong (kExitUsage), if there is
-/// no program, and if a service ends itself twice running with the same last
-/// line, but for its numbers. Pure.
+/// Decides which services that died are restarted: not those with a lasting
+/// reason. A reason lasts if the arguments or files are wrong (kExitUsage), if
+/// there is no program, and if a service ends itself twice running with the
+/// same last line, except for its numbers. Pure.
 class RestartPolicy {
  public:
-  /// Why it is not started again, nothing if it is. `reason`: the last line
-  /// that it has said, may be empty.
+  /// Why it is not restarted; nullopt if it is. `reason`: its last line of
+  /// output, may be empty.
   std::optional<std::string> WhyNot(const ProcessGroup::Death& death,
                                     const std::string& reason);
 

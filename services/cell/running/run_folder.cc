@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/actions/sec_models.h"
 #include "common/files/draft.h"
+#include "common/recordings/recording_file.h"
 
 namespace cell::cli {
 namespace {
@@ -50,7 +52,8 @@ void KeepFrames(const fs::path& frames, const Deployment& deployment) {
   WriteFile(file, YAML::Dump(node) + "\n");
 }
 
-// Many may ask for one folder at once: who makes the first entry has it.
+// Several processes may want a folder at once: the first to create an entry in
+// it owns it.
 void Claim(const fs::path& run) {
   fs::create_directories(run);
   if (!fs::is_empty(run) || !fs::create_directory(run / "deploy")) {
@@ -100,6 +103,7 @@ void RunFolder::Fill(const Deployment& source) {
   constexpr auto kDeep = fs::copy_options::recursive;
   fs::copy(source.config_dir, deployment.config_dir, kDeep);
   fs::copy(source.task_dir, deployment.task_dir, kDeep);
+  fs::remove_all(deployment.task_dir / kRecordingsFolder);  // not for a run
   if (!frames.empty()) KeepFrames(frames, deployment);
   if (fs::is_directory(source.types_dir)) {
     fs::create_directories(deployment.types_dir);
@@ -122,7 +126,7 @@ void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
                         seed));
 }
 
-void RunFolder::TakePart(const std::string& option) {
+void RunFolder::EnableServices(const std::string& option) {
   const fs::path file = deployment.config_dir / "roster.yaml";
   roster = Roster::FromConfig(Config::Load(file.string()), option);
   YAML::Node node = YAML::LoadFile(file.string());
@@ -139,6 +143,14 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   YAML::Node planner = YAML::LoadFile(file.string());
   planner["execution"]["help_steps"] = actions;
   WriteFile(file, YAML::Dump(planner) + "\n");
+}
+
+void RunFolder::LearnFromNothing() const {
+  const fs::path file = deployment.config_dir / "recognizer.yaml";
+  YAML::Node recognizer = YAML::LoadFile(file.string());
+  recognizer["learning"] = true;
+  WriteFile(file, YAML::Dump(recognizer) + "\n");
+  WriteFile(deployment.task_dir / kSecModelsFile, "models: {}\n");
 }
 
 void RunFolder::Stopped() const {

@@ -28,13 +28,16 @@ struct RunFolder {
 
   /// The services of the roster with this option take part in this run.
   /// @throws ConfigError if there is none.
-  void TakePart(const std::string& option);
+  void EnableServices(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
-  /// Keeps what was asked for: a recording of a cell that others have started
-  /// hears it only then. @throws std::runtime_error naming the file.
+  /// The recognizer of this run knows no action at first, and learns.
+  void LearnFromNothing() const;
+  /// Keeps the demonstration and seed of the run: a recording of another
+  /// process's cell learns them only later. @throws std::runtime_error naming
+  /// the file.
   void AskFor(const std::string& demonstration, uint64_t seed);
-  /// @throws std::runtime_error always: the user has stopped the run, whose
+  /// @throws std::runtime_error always: the user has stopped the run, and its
   /// log is here.
   [[noreturn]] void Stopped() const;
   /// Removes it: the run never began.

@@ -23,6 +23,8 @@ void RunOptions::AddTo(CLI::App& command) {
       ->delimiter(',');
   command.add_flag("--cameras", has_cameras,
                    "run the camera sets and log their frames");
+  command.add_flag("--from-nothing", is_from_nothing,
+                   "recognise no action at first, and learn what is shown");
   command.add_flag("--hash", is_hash, "print only one digest per channel");
   command.add_flag("--verbose", is_verbose,
                    "also print whole plans, and conditions as formulas");
@@ -40,7 +42,8 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   RunFolder run =
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
-  if (has_cameras) run.TakePart("cameras");
+  if (is_from_nothing) run.LearnFromNothing();
+  if (has_cameras) run.EnableServices("cameras");
   return run;
 }
 

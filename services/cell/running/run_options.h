@@ -12,13 +12,14 @@ class App;
 
 namespace cell::cli {
 
-/// What `cell demo` and `cell sim` are asked for alike.
+/// The common options of `cell demo` and `cell sim`.
 struct RunOptions {
   std::string deploy_dir;
   std::string demonstration;
   uint64_t seed = 1;
   std::string out;
   bool has_cameras = false;
+  bool is_from_nothing = false;
   bool is_hash = false;
   bool is_verbose = false;
   std::vector<std::string> help_steps;

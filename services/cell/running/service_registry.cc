@@ -56,7 +56,7 @@ std::map<std::string, ServiceFactory> AllServices(
       {"supervisor", of(MakeSupervisor)},
       {"recorder", of(MakeRecorder)},
   };
-  // The lives of the library share what a disk would hold.
+  // The incarnations of the library share one store, as they share a disk.
   factories["library"] =
       [deployment, store = std::shared_ptr<ActionStore>()](Bus& bus) mutable {
         if (!store) store = OpenStore(deployment, {});

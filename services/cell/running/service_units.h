@@ -17,7 +17,7 @@ struct ServiceUnit {
   double processor_s = 0;    ///< [s] since its start; 0 if not accounted
   int64_t memory_bytes = 0;  ///< 0 if not accounted
   std::string since;         ///< of its state
-  std::string last_words;    ///< why it failed, as it has told the manager
+  std::string last_words;    ///< why it failed, as reported to the manager
 };
 
 /// The cell's units under the system's manager or the user's own (--user), by
@@ -29,7 +29,7 @@ class ServiceManager {
   bool is_user() const { return is_user_; }
 
   /// Starts or stops cell.target and waits for it.
-  /// @throws std::runtime_error that says what is missing and what to do.
+  /// @throws std::runtime_error with what is missing and what to do.
   void Start() const;
   void Stop() const;
 
@@ -37,8 +37,8 @@ class ServiceManager {
   /// @throws std::runtime_error if no manager answers.
   std::vector<ServiceUnit> Units() const;
 
-  /// What the unit has said last, by the journal; where there is none, its
-  /// last words.
+  /// The unit's last lines in the journal; where there is none, its
+  /// `last_words`.
   std::vector<std::string> LastLinesOf(const ServiceUnit& unit) const;
   /// "journalctl --user -u 'cell-*'"
   std::string JournalCommand() const;

@@ -8,7 +8,7 @@
 namespace cell::cli {
 namespace {
 
-/// More channels or services than any cell has are somebody's forgeries.
+/// More channels or services than any cell has are forged.
 constexpr size_t kMaxNames = 1000;
 
 constexpr char kRejected[] = "rejected:";
@@ -23,26 +23,27 @@ int64_t SumOf(const health_t& health, const std::string& prefix) {
 
 }  // namespace
 
-std::optional<Message> Traffic::Hear(const std::string& channel, Bytes bytes) {
+std::optional<Message> Traffic::OnMessage(const std::string& channel,
+                                          Bytes bytes) {
   const auto message = MessageFromWire(channel, std::move(bytes));
   if (!message) {
     ++num_foreign_;
     return std::nullopt;
   }
   if (channel == kStatusChannel) {
-    if (const auto status = Decode<status_t>(*message)) Hear(*status);
+    if (const auto status = Decode<status_t>(*message)) OnStatus(*status);
   }
-  Hear(*message);
+  OnMessage(*message);
   return *message;
 }
 
 void Traffic::OnControl(const std::string& channel, Bytes bytes, double now_s) {
   const auto message = MessageFromWire(channel, std::move(bytes));
   const auto health = message ? Decode<health_t>(*message) : std::nullopt;
-  health ? Hear(*health, now_s) : static_cast<void>(++num_foreign_);
+  health ? OnHealth(*health, now_s) : static_cast<void>(++num_foreign_);
 }
 
-void Traffic::Hear(const Message& message) {
+void Traffic::OnMessage(const Message& message) {
   if (counts_.size() >= kMaxNames && !counts_.contains(message.channel)) {
     ++num_foreign_;
     return;
@@ -53,11 +54,11 @@ void Traffic::Hear(const Message& message) {
   count.bytes += static_cast<int64_t>(message.bytes->size());
 }
 
-void Traffic::Hear(const health_t& health, double now_s) {
+void Traffic::OnHealth(const health_t& health, double now_s) {
   if (health_.size() >= kMaxNames && !health_.contains(health.service)) return;
   const auto [it, is_first] = health_.try_emplace(health.service);
   Health& known = it->second;
-  // A new life counts from 0.
+  // A new incarnation counts from 0.
   if (is_first || health.header.sender != known.last.header.sender) {
     known.cpu_us_before = health.cpu_us;
     known.before_s = now_s;
@@ -66,7 +67,7 @@ void Traffic::Hear(const health_t& health, double now_s) {
   known.last_s = now_s;
 }
 
-void Traffic::Hear(const status_t& status) {
+void Traffic::OnStatus(const status_t& status) {
   if (rejected_.size() >= kMaxNames && !rejected_.contains(status.service)) {
     return;
   }
@@ -85,7 +86,7 @@ bool Traffic::KnowsProcessorTimes() const {
   });
 }
 
-Traffic::Report Traffic::Take(double seconds) {
+Traffic::Report Traffic::MakeReport(double seconds) {
   Report report;
   std::map<std::string, int64_t> rejected;
   for (const auto& [service, by_channel] : rejected_) {

@@ -13,15 +13,15 @@
 
 namespace cell::cli {
 
-/// What passes on a cell's bus and how its services fare, for `cell top`. Pure:
-/// whoever watches says how long a period lasted.
+/// The traffic of a cell's bus and the health of its services, for `cell top`.
+/// Pure: the caller passes the length of a period.
 class Traffic {
  public:
   struct Channel {
     std::string name;
     double rate_hz = 0;
     double bytes_per_s = 0;
-    int64_t num_lost = 0;      ///< that this watcher did not hear, in all
+    int64_t num_lost = 0;      ///< not received by this process
     int64_t num_rejected = 0;  ///< by services, in all
   };
   struct Process {
@@ -45,7 +45,7 @@ class Traffic {
   explicit Traffic(size_t num_services) : arrivals_(num_services) {}
 
   /// What came on the bus: the message, nothing if it is none of the cell's.
-  std::optional<Message> Hear(const std::string& channel, Bytes bytes);
+  std::optional<Message> OnMessage(const std::string& channel, Bytes bytes);
   /// What came on the control port, when [s].
   void OnControl(const std::string& channel, Bytes bytes, double now_s);
 
@@ -53,12 +53,12 @@ class Traffic {
   /// cell is heard.
   bool KnowsProcessorTimes() const;
   /// Of the period since the last call, that has lasted `seconds`.
-  Report Take(double seconds);
+  Report MakeReport(double seconds);
 
  private:
-  void Hear(const Message& message);
-  void Hear(const health_t& health, double now_s);
-  void Hear(const status_t& status);
+  void OnMessage(const Message& message);
+  void OnHealth(const health_t& health, double now_s);
+  void OnStatus(const status_t& status);
 
   struct Count {
     int64_t messages = 0;

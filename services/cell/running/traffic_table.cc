@@ -25,7 +25,7 @@ std::string Percent(const std::optional<double>& share) {
 std::string WideTable(const Traffic::Report& report) {
   std::string text =
       fmt::format("{:{}} {:>6} {:>8} {:>7} {:>7} {:>9}\n", "service",
-                  kNameColumns, "CPU %", "MB", "lost", "late", "strangers");
+                  kNameColumns, "CPU %", "MB", "lost", "late", "unknown");
   for (const Traffic::Process& p : report.processes) {
     text += fmt::format("{:{}} {:>6} {:8.1f} {:7} {:7} {:9}\n",
                         PrintableName(p.name, kMaxName), kNameColumns,

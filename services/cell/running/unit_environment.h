@@ -12,7 +12,7 @@ namespace cell::cli {
 /// deploy/systemd/environment.
 class UnitEnvironment {
  public:
-  /// Of the system's cell, or of the user's own; nobody needs to have one.
+  /// Loads that of the system's cell, or of the user's own; it is optional.
   /// @throws ConfigError "file:KEY: message (line 3)" for keys CELL_... that no
   /// unit knows, and for what is no assignment.
   static UnitEnvironment Load(bool is_user);

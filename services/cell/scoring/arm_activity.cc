@@ -4,12 +4,12 @@
 
 namespace cell::cli {
 
-void ArmActivity::Take(const skill_request_t& request) {
+void ArmActivity::OnRequest(const skill_request_t& request) {
   parts_[request.id] = ArgumentOf(request, "part");
 }
 
 /// A failed skill draws back with the part.
-void ArmActivity::Take(const arm_report_t& report) {
+void ArmActivity::OnReport(const arm_report_t& report) {
   const bool had_contact = contact_ != arm_report_t::NO_CONTACT;
   const bool has_contact = report.contact != arm_report_t::NO_CONTACT;
   if (report.request >= 0) skill_ = report.request;

@@ -14,8 +14,8 @@ namespace cell::cli {
 class ArmActivity {
  public:
   /// A request to this arm.
-  void Take(const skill_request_t& request);
-  void Take(const arm_report_t& report);
+  void OnRequest(const skill_request_t& request);
+  void OnReport(const arm_report_t& report);
 
   /// Id of the skill that runs, or ran last; -1: none so far.
   int64_t skill() const { return skill_; }

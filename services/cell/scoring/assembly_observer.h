@@ -23,8 +23,8 @@ class AssemblyObserver {
     int num_requests = 0;                  ///< of skills
     int num_refused = 0, num_failed = 0, num_stopped = 0, num_yielded = 0;
     double peak_force = 0;  ///< [N] of all skills
-    /// Sites whose part was seated, and was not any more after a later step;
-    /// each time that it was seen.
+    /// Sites with a part that was seated, and no longer was after a later step;
+    /// one entry for each time.
     std::vector<std::string> broken;
     std::set<std::string> touched;  ///< parts that a person put somewhere
     int64_t last_utime = 0;

@@ -9,10 +9,10 @@
 
 namespace cell::cli {
 
-/// What has been put together, by the ground truth over all parts: the one
-/// place that says what success is. A literal of the goal counts when the part
-/// sits in its site - depth, axis, turn within the criterion's tolerances - and
-/// rests: it has not moved between two snapshots.
+/// What is assembled, by the ground truth of all parts: the one definition of
+/// success. A literal of the goal counts when the part sits in its site -
+/// depth, axis, turn within the criterion's tolerances - and rests: it has not
+/// moved between two snapshots.
 struct AssemblyScore {
   std::vector<std::string> seated;   ///< sites, sorted
   std::vector<std::string> missing;  ///< sites, sorted

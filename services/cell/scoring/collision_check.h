@@ -23,13 +23,13 @@ class CollisionCheck {
     std::string arm;
     std::string first;  ///< of the arm, or what it holds
     std::string second;
-    /// A person's hand is at `second`: whoever moves has run into the other.
+    /// `second` is a person's hand: either may have hit the other.
     bool is_by_person = false;
   };
 
   CollisionCheck(const CellLayout& layout, const PartTable& parts);
 
-  /// Bodies are where `poses` says; `activities`: of arms, by name.
+  /// Bodies are at `poses`; `activities`: of arms, by name.
   std::vector<Touch> Look(const truth_poses_t& poses,
                           const std::map<std::string, ArmActivity>& activities);
 

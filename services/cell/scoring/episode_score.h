@@ -17,7 +17,7 @@ struct EpisodeScore {
   int num_moves_named = 0;        ///< right part, UNKNOWN or tipped
   int num_mistakes = 0;           ///< truth: planted
   int num_mistakes_caught = 0;    ///< right alert within one key frame
-  int num_invented = 0;           ///< recognised, but nobody did it
+  int num_invented = 0;           ///< recognised, but not done
   int num_false_alarms = 0;       ///< warnings and errors without a cause
   bool is_goal_reached = false;   ///< by the last plan
 

@@ -29,7 +29,7 @@ std::string JointName(int index) {
 
 }  // namespace
 
-std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
+std::vector<LimitCheck::Breach> LimitCheck::OnState(const arm_state_t& state) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;
   const auto position = JointsFromMessage(state.position, *arm_.model);
@@ -63,7 +63,7 @@ std::vector<LimitCheck::Breach> LimitCheck::Take(const arm_state_t& state) {
   return breaches;
 }
 
-std::vector<LimitCheck::Breach> LimitCheck::Take(
+std::vector<LimitCheck::Breach> LimitCheck::OnSetpoint(
     const arm_setpoint_t& setpoint) {
   const JointLimits& limits = arm_.model->limits();
   std::vector<Breach> breaches;

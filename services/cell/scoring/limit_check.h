@@ -24,9 +24,9 @@ class LimitCheck {
 
   explicit LimitCheck(const ArmLayout& arm) : arm_(arm) {}
 
-  std::vector<Breach> Take(const arm_state_t& state);
+  std::vector<Breach> OnState(const arm_state_t& state);
   /// Steps are measured between set-points of one sender.
-  std::vector<Breach> Take(const arm_setpoint_t& setpoint);
+  std::vector<Breach> OnSetpoint(const arm_setpoint_t& setpoint);
   /// An episode begins: the arm is put home.
   void Restart();
   /// How often the servos have stopped by themselves.

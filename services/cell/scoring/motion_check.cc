@@ -69,7 +69,7 @@ bool MotionCheck::OnState(const std::string& arm, const Message& message) {
   is_moving_[arm] = !std::ranges::all_of(state->velocity, [](double velocity) {
     return std::abs(velocity) < kStill;
   });
-  for (auto& breach : limits_.at(arm).Take(*state)) {
+  for (auto& breach : limits_.at(arm).OnState(*state)) {
     Add(arm, message.tick, std::move(breach));
   }
   return true;
@@ -78,7 +78,7 @@ bool MotionCheck::OnState(const std::string& arm, const Message& message) {
 bool MotionCheck::OnSetpoint(const std::string& arm, const Message& message) {
   const auto setpoint = Decode<arm_setpoint_t>(message);
   if (!setpoint) return false;
-  for (auto& breach : limits_.at(arm).Take(*setpoint)) {
+  for (auto& breach : limits_.at(arm).OnSetpoint(*setpoint)) {
     Add(arm, message.tick, std::move(breach));
   }
   return true;
@@ -86,7 +86,7 @@ bool MotionCheck::OnSetpoint(const std::string& arm, const Message& message) {
 
 bool MotionCheck::OnReport(const std::string& arm, const Message& message) {
   const auto report = Decode<arm_report_t>(message);
-  if (report) activities_.at(arm).Take(*report);
+  if (report) activities_.at(arm).OnReport(*report);
   return report.has_value();
 }
 
@@ -94,7 +94,7 @@ bool MotionCheck::OnRequest(const Message& message) {
   const auto request = Decode<skill_request_t>(message);
   if (!request) return false;
   const auto activity = activities_.find(request->arm);
-  if (activity != activities_.end()) activity->second.Take(*request);
+  if (activity != activities_.end()) activity->second.OnRequest(*request);
   return true;
 }
 

@@ -19,9 +19,9 @@
 
 namespace cell::cli {
 
-/// Whether the arms of a run have kept their limits and hit nothing, from its
-/// messages. An arm that stands still has not hit what a person's hand brings
-/// against it. Reads ground truth, so no service may use it.
+/// Checks, from the messages of a run, that its arms kept their limits and hit
+/// nothing. An arm at rest has not hit what a person's hand moves against it.
+/// Reads ground truth, so no service may use it.
 class MotionCheck {
  public:
   MotionCheck(const CellLayout& layout, const PartTable& parts);

@@ -9,8 +9,8 @@
 namespace cell::cli {
 
 /// The last poses of an episode and earlier ones, far enough apart to tell what
-/// rests. Times that only a message claims may be anything: looks that are not
-/// in order begin anew.
+/// rests. Times of messages are not trusted: poses that are out of order start
+/// a new history.
 class PoseHistory {
  public:
   static constexpr int64_t kApartUs = 200'000;

@@ -13,7 +13,7 @@
 
 namespace cell::cli {
 
-/// What success of a task is: the literals of a goal, to be judged on the
+/// The criterion of a task's success: the literals of a goal, judged on the
 /// ground truth by tolerances of their own; success.yaml of the task.
 ///
 ///   goal: assembled            # of domain.yaml
@@ -40,7 +40,7 @@ struct SuccessCriterion {
                                      const PartTable& parts);
   static SuccessCriterion Load(const Deployment& deployment);
 
-  /// The part and the site that an atom of one of the predicates speaks of.
+  /// The part and the site of an atom of one of the predicates.
   const Part& PartOf(const GroundAtom& atom) const;
   const Site& SiteOf(const GroundAtom& atom) const;
   /// Where the literal wants a part; its text if that is at any site.

@@ -10,7 +10,7 @@ struct Violation {
   enum class Kind : int8_t {
     kPosition,   ///< a joint beyond its range
     kSpeed,      ///< a joint faster than it may be
-    kSetpoint,   ///< a set-point that the joints cannot reach in time
+    kSetpoint,   ///< a set-point that the joints cannot reach in a tick
     kWorkspace,  ///< the gripper moves outside
     kCollision
   };

@@ -19,8 +19,8 @@ std::optional<SkillRequest> RequestToArm(const GroundAction& action,
   return RequestFor(action, context.plan.rules());
 }
 
-/// True if it neither concerns what the other arms work at nor keeps them from
-/// it.
+/// True if it neither concerns the objects of the other arms' skills nor keeps
+/// those skills from being possible.
 bool IsIndependent(const GroundAction& action, const SkillRequest& request,
                    const ExecutionContext& context) {
   return std::ranges::all_of(

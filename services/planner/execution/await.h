@@ -5,8 +5,8 @@
 namespace cell::planner {
 
 /// Until an arm may begin something: the mode allows it, all arms have reported
-/// since the last skill has ended, those whose skill was cut short have gone
-/// free, and one has nothing to do.
+/// since the last skill ended, those with an interrupted skill have gone free,
+/// and one has nothing to do.
 class Await final : public ExecutionState {
  public:
   std::string_view name() const override { return "await"; }

@@ -4,8 +4,8 @@
 
 namespace cell::planner {
 
-/// Until all arms are at rest: what was asked for by the goal before, or before
-/// the planner was started anew, may still be under way.
+/// Until all arms are at rest: skills requested for the previous goal, or
+/// before the planner was restarted, may still run.
 class AwaitRest final : public ExecutionState {
  public:
   std::string_view name() const override { return "await_rest"; }

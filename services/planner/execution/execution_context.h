@@ -19,7 +19,7 @@ struct ExecutionParams {
   int64_t watch_period_us = 1'000'000;  ///< the same while a person is asked
   int64_t patience_us = 5'000'000;      ///< with what cannot be decided
   bool parallel = true;  ///< hand a part over while another is inserted
-  /// Steps that are left to a person, who is asked for them.
+  /// Steps that are left to a person: the cell asks for them.
   std::set<GroundAction> help_steps = {};
   RequestWords requests = {};  ///< how the person is asked
 };
@@ -33,8 +33,8 @@ struct ExecutionContext {
   Dialogue dialogue;
   bool may_act = false;  ///< the cell's mode lets arms begin something
 
-  /// True if arms may begin something. First it asks arms whose skill was
-  /// cut short to go free.
+  /// True if arms may begin something. First it asks arms with an interrupted
+  /// skill to go free.
   bool MayBegin(Instant now, Decisions& out) {
     if (!may_act || !dispatch.HaveArmsReported()) return false;
     if (sensing.IsDue(now)) dispatch.StartGoingFree(now, out);

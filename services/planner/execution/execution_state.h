@@ -24,8 +24,8 @@ namespace cell::planner {
 ///     Act, Undecided, Ask, AwaitPerson --the state is not fresh--> Sense
 ///     all --another goal--> AwaitRest
 ///
-/// A skill that ends makes the state stale; so does a person who was asked and
-/// has put something down.
+/// The state is stale after a skill ends, and after a person that was asked has
+/// put something down.
 class ExecutionState {
  public:
   ExecutionState() = default;

@@ -10,9 +10,9 @@ namespace cell::robot_arm {
 ///   y_cmd = y_DMP + K_p e_f + K_i integral(e_f dt)        (eq. 2),
 /// in the frame S of a site. Sideways and in rotation f_desired is 0: the part
 /// yields to what pushes it, and both terms are offsets. Along z the command
-/// goes where force control leads, as far as it will: that term is given tick
-/// by tick (AxialStep), without K_p, whose share would be let off in a jump
-/// when contact is lost. Wrenches are on the part, hence e_f = f - f_desired.
+/// follows force control without a limit: that term is given tick by tick
+/// (AxialStep), without K_p, since its share would be released in a jump when
+/// contact is lost. Wrenches are on the part, hence e_f = f - f_desired.
 class Admittance {
  public:
   /// At 125 Hz and with a stiff contact these are stable up to kp 3e-5, ki

@@ -16,9 +16,9 @@
 namespace cell::robot_arm {
 
 /// The motion of a held part O in contact, in the frame S of its site (section
-/// VIII-B): it follows a reference, yields to what pushes it, slows down where
-/// forces grow, searches where it is stuck, and ends as its termination says.
-/// Pure: a step is a function of the state, the contact and the time.
+/// VIII-B): it follows a reference, yields to external forces, slows down where
+/// forces grow, searches where it is stuck, and ends by its termination. Pure:
+/// a step is a function of the state, the contact and the time.
 class ContactMotion {
  public:
   struct Params {
@@ -40,7 +40,7 @@ class ContactMotion {
   /// One tick of `dt` [s]. `height`: z of O in S as measured.
   State Step(const ContactWrench& contact, double height, double dt);
 
-  /// X_SO: where the part shall be.
+  /// X_SO: the commanded pose of the part.
   Eigen::Isometry3d PartPose() const;
   State state() const { return state_; }
   /// Why it has failed, in plain words.

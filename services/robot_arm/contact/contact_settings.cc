@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMm = 1e-3;
 
-/// Reads what there is of a section.
+/// Reads the keys of a section that are there.
 class Section {
  public:
   explicit Section(const Config& config) : config_(config) {}

@@ -10,7 +10,7 @@ namespace cell::robot_arm {
 // Each part of a contact motion is a section of its own. These throw
 // ConfigError naming file:key, also for gains that cannot be stable.
 
-/// What `config` says on top of `params`: it need name only what differs.
+/// `params` with the values of `config`, which names only what differs.
 InsertionParams Refined(InsertionParams params, const Config& config);
 /// How fast a thread is turned, how hard, and when it is tight depend on the
 /// parts and must be named.

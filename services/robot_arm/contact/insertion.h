@@ -18,8 +18,8 @@ struct InsertionParams {
   Eigen::Vector2d aim = Eigen::Vector2d::Zero();  ///< [m] in S, beside it
 };
 
-/// Brings a held part along the axis of a site to its seat: its frame O shall
-/// come to S along -z. Begins `height` [m] over it.
+/// Brings a held part along the axis of a site to its seat: its frame O is to
+/// reach S along -z. Begins `height` [m] above it.
 ContactMotion MakeInsertion(const InsertionParams& params, double height);
 
 /// The same, for a stage.

@@ -17,8 +17,8 @@ struct ScrewingParams {
   ContactMotion::Params contact{.admittance = {.kp_turn = 0, .ki_turn = 0},
                                 .slow_down = {.gain = 0}};
   TightenedTermination::Params tight;
-  /// [rad] A thread that has held a part before may be tight so much earlier
-  /// than its pitch tells: what carries it has play.
+  /// [rad] A thread that has held a part before may be tight earlier by this
+  /// angle than by its pitch: what carries it has play.
   double early_angle = 0.5;
 
   /// For a part that is on its thread, `height` [m] over its seat: it needs

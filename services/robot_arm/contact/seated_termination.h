@@ -10,7 +10,7 @@ class SeatedTermination : public Termination {
  public:
   struct Params {
     double height = 0;          ///< [m] over the seat, where it shall end
-    double tolerance = 0.0008;  ///< [m] either way: what tracks tell apart
+    double tolerance = 0.0008;  ///< [m] up or down: accuracy of tracks
     double give = 0.002;        ///< [m] deeper, as the grip yields to the push
   };
 

@@ -5,7 +5,7 @@
 namespace cell::robot_arm {
 
 /// Done when a thread is tight, by its torque: what carries the thread may
-/// shift a little, the height says nothing then.
+/// shift a little, so its height does not show it.
 class TightenedTermination : public Termination {
  public:
   struct Params {

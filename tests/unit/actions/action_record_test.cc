@@ -30,9 +30,13 @@ class Records : public testing::Test {
     record.name = "LayAside";
     record.undoes = "";
     record.sec =
-        "moved: X\npick: {where: [\"PegInHole(X, Y)\"]}\n"
-        "place: {where: [\"not PegInHole(X, Y)\"], touch: [[X, table]]}";
+        Sec("pick: {where: [\"PegInHole(X, Y)\"]}\n"
+            "place: {where: [\"not PegInHole(X, Y)\"], touch: [table]}\n");
     return record;
+  }
+  static std::string Sec(const std::string& facts) {
+    return "roles: {X: square_peg, Y: square_hole}\nmoved: X\n" + facts +
+           "chain: {table: 01}\nshown: {take_backs 3: 1}";
   }
   std::string ReasonFor(
       const std::function<void(ActionRecord&)>& change) const {
@@ -105,6 +109,11 @@ TEST_F(Records, AreRefusedForAReason) {
               HasSubstr("is not UTF-8"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\ncolour: red"; }),
               HasSubstr("LayAside:sec.colour: not known"));
+  EXPECT_THAT(ReasonFor([](auto& r) {
+                r.sec.replace(r.sec.find("square_peg"), 10, "peg");
+              }),
+              HasSubstr("LayAside:sec.roles: should be the arguments of "
+                        "LayAside, or narrower: X: square_peg, "));
   EXPECT_THAT(ReasonFor([](auto& r) { r.sec += "\n[a]: red"; }),
               HasSubstr("LayAside:sec: a map or a list cannot be a key"));
   EXPECT_THAT(ReasonFor([](auto& r) { r.skill_settings = "insertion"; }),
@@ -124,14 +133,14 @@ TEST_F(Records, OfAnotherDomainOrWithoutVariablesSayWhatWouldBeRight) {
               HasSubstr("LayAside:rules[0].context[0]"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.sec =
-                    "moved: X\npick: {where: [HeadScrewed(head)]}\n"
-                    "place: {where: [\"PegInHole(X, Y)\"]}";
+                    Sec("pick: {where: [HeadScrewed(head)]}\n"
+                        "place: {where: [\"PegInHole(X, Y)\"]}\n");
               }),
-              HasSubstr("LayAside:sec.pick: does not mention X"));
+              HasSubstr("LayAside:sec: nothing that pick says is changed"));
   EXPECT_THAT(ReasonFor([](auto& r) {
                 r.sec =
-                    "moved: X\npick: {where: [Horizontal(X)]}\n"
-                    "place: {where: [not Horizontal(X)]}";
+                    Sec("pick: {where: [Horizontal(X)]}\n"
+                        "place: {where: [not Horizontal(X)]}\n");
               }),
               HasSubstr("neither pick nor place mentions Y"));
   EXPECT_THAT(ReasonFor([](auto& r) {

@@ -132,7 +132,7 @@ TEST(CameraSet, TakesAFrameEveryPeriodEachSetLaterThanTheOneBefore) {
 // Nothing but black: already more than 10 bytes.
 class BlackDevice : public FrameDevice {
  public:
-  std::optional<RgbdFrame> Take() override {
+  std::optional<RgbdFrame> Capture() override {
     if (++num_asked_ == 1) return std::nullopt;  // as one that begins
     RgbdFrame frame;
     frame.camera = "1";
@@ -216,13 +216,13 @@ TEST(CameraSet, SeesHandsAndParts) {
       CameraWithView(cameras.Poses()[0], 640, 480, cameras.view_angles);
   const RenderedView view(BodiesOf(TheTask().parts, TheTask().layout), params);
   TruthPoses truth = SomeTruth();
-  const auto all = view.Take(truth).depth.counts;
+  const auto all = view.Capture(truth).depth.counts;
   for (const char* prefix : {"hand_left.", "shaft"}) {
     TruthPoses without = truth;
     std::erase_if(without.poses, [&](const auto& entry) {
       return entry.first.starts_with(prefix);
     });
-    EXPECT_NE(view.Take(without).depth.counts, all) << prefix;
+    EXPECT_NE(view.Capture(without).depth.counts, all) << prefix;
   }
 }
 
@@ -254,7 +254,7 @@ TEST(CameraSet, RefusesASetThatTheCellDoesNotHave) {
 // A device whose pictures cannot be made short: noise.
 class Noise : public FrameDevice {
  public:
-  std::optional<RgbdFrame> Take() override {
+  std::optional<RgbdFrame> Capture() override {
     RgbdFrame frame;
     frame.view.width = frame.colour.width = frame.depth.width = 64;
     frame.view.height = frame.colour.height = frame.depth.height = 64;

@@ -82,13 +82,13 @@ TEST(RouteTo, IsNotConfusedByAnythingElse) {
             std::nullopt);
 }
 
-TEST(HearsMulticast, IsTrueOfTheDevicesThatAreUp) {
+TEST(ReceivesMulticast, IsTrueOfTheDevicesThatAreUp) {
   const std::string table =
       "Idx Device    : Count Querier Group    Users Timer Reporter\n"
       "1\tlo        :     1      V3\n\t\t010000E0     1 0:00000000\t0\n";
-  EXPECT_TRUE(HearsMulticast("lo", table));
-  EXPECT_FALSE(HearsMulticast("eth0", table));
-  EXPECT_FALSE(HearsMulticast("lo", "Idx Device    : Count Querier\n"));
+  EXPECT_TRUE(ReceivesMulticast("lo", table));
+  EXPECT_FALSE(ReceivesMulticast("eth0", table));
+  EXPECT_FALSE(ReceivesMulticast("lo", "Idx Device    : Count Querier\n"));
 }
 
 TEST(OwnersOfUdpPort, AreThoseThatHoldTheSocket) {

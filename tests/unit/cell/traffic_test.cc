@@ -32,7 +32,7 @@ TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
   Traffic traffic(kNumServices);
   traffic.OnControl("HEALTH", Health(4'000'000), 0.25);
   EXPECT_FALSE(traffic.KnowsProcessorTimes());
-  const Traffic::Report first = traffic.Take(1);
+  const Traffic::Report first = traffic.MakeReport(1);
   ASSERT_EQ(first.processes.size(), 1u);
   EXPECT_EQ(first.processes[0].processor, std::nullopt);
   EXPECT_THAT(TrafficTable(first, kColumns),
@@ -40,9 +40,9 @@ TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
 
   traffic.OnControl("HEALTH", Health(4'500'000), 2.25);
   EXPECT_TRUE(traffic.KnowsProcessorTimes());
-  EXPECT_EQ(traffic.Take(0.1).processes[0].processor, 0.25);
+  EXPECT_EQ(traffic.MakeReport(0.1).processes[0].processor, 0.25);
   // Without another one it is what was known last.
-  EXPECT_EQ(traffic.Take(0.1).processes[0].processor, 0.25);
+  EXPECT_EQ(traffic.MakeReport(0.1).processes[0].processor, 0.25);
 }
 
 TEST(Traffic, ANewLifeCountsFromItsFirstHealth) {
@@ -51,13 +51,13 @@ TEST(Traffic, ANewLifeCountsFromItsFirstHealth) {
   traffic.OnControl("HEALTH", Health(100'000, 1001), 2);
   EXPECT_FALSE(traffic.KnowsProcessorTimes());
   traffic.OnControl("HEALTH", Health(600'000, 1001), 3);
-  EXPECT_EQ(traffic.Take(1).processes[0].processor, 0.5);
+  EXPECT_EQ(traffic.MakeReport(1).processes[0].processor, 0.5);
 }
 
 TEST(Traffic, WhereNoCellIsHeardOneLineSaysSo) {
   Traffic traffic(kNumServices);
   EXPECT_TRUE(traffic.KnowsProcessorTimes());
-  EXPECT_THAT(TrafficTable(traffic.Take(1), kColumns),
+  EXPECT_THAT(TrafficTable(traffic.MakeReport(1), kColumns),
               AllOf(HasSubstr("no cell is heard"), HasSubstr("--url"),
                     Not(HasSubstr("CPU"))));
 }

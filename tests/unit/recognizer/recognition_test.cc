@@ -46,7 +46,7 @@ class RecognitionTest : public testing::Test {
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
-                           task_.MakeSecLibrary(),
+                           task_.MakeLibrary(),
                            task_.MakeSensor(),
                            {}};
 };
@@ -299,7 +299,8 @@ TEST_F(RecognitionTest, HypothesesArePrunedAtThePickUp) {
                     hypothesis.roles.back());
   }
   EXPECT_THAT(alive,
-              ElementsAre("reversed base.round_1", "forward base.round_2"));
+              ElementsAre("reversed base.round_1", "reversed round_peg_1",
+                          "forward base.round_2"));
 }
 
 // A model that knows nothing but the chain: how often a hand took the part.

@@ -30,7 +30,6 @@ constexpr char kActions[] = R"yaml(
 actions:
   Move:
     arguments: {X: box, Y: place}
-    sec: {pick: 1}
     rules:
       - references: {Z: {type: place, such_that: ["At(X, Z)"]}}
         context: ["near(Z, Y)", not Open(X)]
@@ -48,13 +47,10 @@ actions:
 )yaml";
 constexpr char kGoals[] = "goals: {done: [\"At(_, p2)\", Calm()]}\n";
 
-// What others read: how predicates are sensed and actions recognised.
+// What others read: how predicates are sensed.
 void ReadOtherBlocks(const Config& config) {
   for (const auto& [name, node] : config["predicates"].Entries()) {
     if (node.Has("geometry")) node["geometry"].Entries();
-  }
-  for (const auto& [name, node] : config["actions"].Entries()) {
-    if (node.Has("sec")) node["sec"].Entries();
   }
 }
 

@@ -24,7 +24,13 @@ TEST_F(SecMessagesTest, AKeyFrameComesBackAsItWentIn) {
   stage_.Seat("shaft", "base.shaft");
   stage_.Hold("hand_left", "head");
   stage_.Remove("separator");
-  const KeyFrame frame = stage_.Frame();
+  stage_.Frame();
+  KeyFrame frame = stage_.Frame();
+  frame.relative_poses[{"base", "shaft"}] =
+      stage_.PoseOf("base").inverse() * stage_.PoseOf("shaft");
+  frame.relative_poses[{"hand_left", "head"}] =
+      Eigen::Isometry3d(Eigen::Translation3d(0, 0.5, 0));
+  frame.segment = {100'000, {"ARM_STATE_LEFT", "TRACKS"}};
   const auto back =
       KeyFrameFromMessage(KeyFrameToMessage(frame), task_.scene_objects);
   ASSERT_TRUE(back);
@@ -35,10 +41,22 @@ TEST_F(SecMessagesTest, AKeyFrameComesBackAsItWentIn) {
   for (const auto& [name, X_WO] : frame.poses) {
     EXPECT_TRUE(back->poses.at(name).isApprox(X_WO, 1e-12)) << name;
   }
+  ASSERT_EQ(back->relative_poses.size(), 2u);
+  for (const auto& [pair, X_AB] : frame.relative_poses) {
+    EXPECT_TRUE(back->relative_poses.at(pair).isApprox(X_AB, 1e-12));
+  }
+  EXPECT_EQ(back->segment.begin_utime, 100'000);
+  EXPECT_EQ(back->segment.channels, frame.segment.channels);
 }
 
 TEST_F(SecMessagesTest, AForgedKeyFrameIsRefused) {
-  const key_frame_t good = KeyFrameToMessage(stage_.Frame());
+  stage_.Seat("shaft", "base.shaft");
+  stage_.Hold("hand_left", "head");
+  KeyFrame frame = stage_.Frame();
+  frame.relative_poses[{"base", "shaft"}] = Eigen::Isometry3d::Identity();
+  frame.relative_poses[{"hand_left", "head"}] = Eigen::Isometry3d::Identity();
+  frame.segment.channels = {"ARM_STATE_LEFT", "TRACKS"};
+  const key_frame_t good = KeyFrameToMessage(frame);
   ASSERT_TRUE(KeyFrameFromMessage(good, task_.scene_objects));
   const std::vector<std::function<void(key_frame_t&)>> forgeries = {
       [](key_frame_t& m) { m.index = -1; },
@@ -53,8 +71,22 @@ TEST_F(SecMessagesTest, AForgedKeyFrameIsRefused) {
       [](key_frame_t& m) { m.poses[2].name = m.poses[1].name; },
       [](key_frame_t& m) { std::swap(m.poses[2], m.poses[3]); },
       [](key_frame_t& m) { m.poses[2].pose_world_body.position[0] = kNan; },
+      [](key_frame_t& m) { m.poses[2].pose_world_body.quat_wxyz[0] = 2; },
+      [](key_frame_t& m) { m.relative_poses[1].first = "nobody"; },
+      [](key_frame_t& m) { m.relative_poses[1].second = "pendulum"; },
       [](key_frame_t& m) {
-        m.poses[2].pose_world_body.quat_wxyz[0] = 2;
+        std::swap(m.relative_poses[1].first, m.relative_poses[1].second);
+      },
+      [](key_frame_t& m) { m.relative_poses[1] = m.relative_poses[0]; },
+      [](key_frame_t& m) { m.relative_poses[0].position[2] = kNan; },
+      [](key_frame_t& m) { m.relative_poses[0].quat_wxyz[0] = 2; },
+      [](key_frame_t& m) { m.segment.begin_utime = m.header.utime + 1; },
+      [](key_frame_t& m) { m.segment.begin_utime = -1; },
+      [](key_frame_t& m) { m.segment.end_utime += 1; },
+      [](key_frame_t& m) { m.segment.channels[1] = "ARM_STATE_LEFT"; },
+      [](key_frame_t& m) { m.segment.channels[0].clear(); },
+      [](key_frame_t& m) {
+        m.segment.channels[0] = std::string(100, 'A');
       }};
   for (size_t i = 0; i < forgeries.size(); ++i) {
     key_frame_t message = good;

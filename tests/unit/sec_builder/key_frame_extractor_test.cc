@@ -135,10 +135,53 @@ TEST_F(KeyFrameExtractorTest, ChangesThatBeginApartAreKeyFramesInTheirOrder) {
   EXPECT_EQ(frames[1].index, frames[0].index + 1);
 }
 
+TEST_F(KeyFrameExtractorTest, HasTheRelativePoseOfEachTouchingPair) {
+  touching_ = {{"a", "table"}, {"a", "b"}};
+  tracks_.tracks[0].X_WO.translation() << 0.1, 0.2, 0.3;
+  tracks_.tracks[0].X_WO.linear() =
+      Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  tracks_.tracks[1].X_WO.translation() << 0.1, 0.5, 0.3;
+  const auto frames = Next(3);
+  ASSERT_THAT(frames, SizeIs(1));
+  const auto& poses = frames[0].relative_poses;
+  ASSERT_THAT(poses, SizeIs(2));
+  // b is 0.3 m along y of W, which is x of a.
+  EXPECT_TRUE(poses.at({"a", "b"})
+                  .translation()
+                  .isApprox(Eigen::Vector3d(0.3, 0, 0), 1e-12));
+  EXPECT_TRUE(poses.at({"a", "table"})
+                  .isApprox(tracks_.tracks[0].X_WO.inverse(), 1e-12));
+}
+
+TEST_F(KeyFrameExtractorTest, TheSegmentBeginsAtThePreviousKeyFrame) {
+  const auto first = Next(10);
+  touching_.insert({"a", "hand"});
+  const auto frames = Next(10);
+  ASSERT_THAT(frames, SizeIs(1));
+  EXPECT_EQ(frames[0].segment.begin_utime, first[0].utime);
+  EXPECT_EQ(frames[0].segment.channels, std::vector<std::string>{"TRACKS"});
+}
+
 class ExtractorBesideAnArm : public KeyFrameExtractorTest {
  protected:
   ExtractorBesideAnArm() : KeyFrameExtractorTest({"gripper", "hand"}) {}
 };
+
+TEST_F(ExtractorBesideAnArm, WhereItActedTheSegmentNamesItsChannels) {
+  KeyFrameExtractor::Params params;
+  params.channels["gripper"] = {"WRENCH", "ARM_STATE"};
+  extractor_ = KeyFrameExtractor(scene_objects_, params);
+  const auto first = Next(10);
+  EXPECT_EQ(first[0].segment.channels, std::vector<std::string>{"TRACKS"});
+  touching_.insert({"a", "gripper"});
+  const std::vector<std::string> all = {"ARM_STATE", "TRACKS", "WRENCH"};
+  EXPECT_EQ(Next(10)[0].segment.channels, all);
+  touching_.erase({"a", "gripper"});
+  EXPECT_EQ(Next(10)[0].segment.channels, all);
+  touching_.insert({"a", "hand"});
+  EXPECT_EQ(Next(10)[0].segment.channels, first[0].segment.channels);
+}
 
 TEST_F(ExtractorBesideAnArm, AHandThatPassesTheGripperIsNoEvent) {
   Next(10);

@@ -38,6 +38,25 @@ TEST(PairFilter, AChangeIsDatedBackToTheFirstFrameThatShowedIt) {
   EXPECT_EQ(changes[1].onset, 6 * kFramePeriod);
 }
 
+TEST(PairFilter, AReleaseIsDatedBackToTheFirstCrossingIfThatWasNotLongAgo) {
+  const auto onset_of_release = [](int num_between, int64_t backdate_us) {
+    PairFilter filter({.confirm_frames = 2, .backdate_us = backdate_us});
+    filter.Start({0.001});
+    int64_t utime = 0;
+    for (int i = 0; i < num_between; ++i) {
+      EXPECT_FALSE(filter.See(utime += kFramePeriod, {0.007}));
+      const bool may_come = kFramePeriod * i < backdate_us;
+      EXPECT_EQ(filter.pending_since(utime).has_value(), may_come) << i;
+    }
+    filter.See(utime += kFramePeriod, {0.011});
+    return filter.See(utime += kFramePeriod, {0.012})->onset / kFramePeriod;
+  };
+  EXPECT_EQ(onset_of_release(3, 0), 4);
+  EXPECT_EQ(onset_of_release(3, 3 * kFramePeriod), 1);
+  EXPECT_EQ(onset_of_release(3, 2 * kFramePeriod), 4);
+  EXPECT_EQ(onset_of_release(0, 3 * kFramePeriod), 1);
+}
+
 TEST(PairFilter, BetweenTheThresholdsNothingChanges) {
   EXPECT_TRUE(Changes({0, 4.1, 9.9, 4.1, 9.9, 0, 9.9}).empty());
   EXPECT_TRUE(Changes({20, 4.1, 9.9, 4.1, 20, 4.1}).empty());
@@ -134,7 +153,7 @@ TEST(PairFilter, WhatIsHiddenHoldsAndDoesNotConfirm) {
   filter.Start({0});
   filter.See(0, {0.02});
   filter.Hide();
-  EXPECT_FALSE(filter.pending_since());
+  EXPECT_FALSE(filter.pending_since(0));
   EXPECT_FALSE(filter.See(2, {0.02}));
   EXPECT_EQ(filter.relation(), Relation::kTouching);
   EXPECT_EQ(filter.See(3, {0.02})->onset, 2);

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include "common/rexd/rule_model.h"
+#include "common/rules/learning/learner.h"
+#include "common/rules/simulation.h"
+
+namespace cell::rexd {
+
+/// What to do next (section VI-B).
+struct Decision {
+  enum class Kind { kExplore, kExploit, kAsk };
+  Kind kind = Kind::kAsk;
+  rules::GroundAct act;  ///< unless kAsk
+};
+
+/// REX-D (Martinez et al., AIJ 2017; the paper's Fig. 16): in a state that is
+/// not known, the action that was tried least; in a known state, the first
+/// action of a plan; if there is none, one demonstration. Begins without any
+/// action: a demonstration adds its own.
+class RexD {
+ public:
+  struct Params {
+    rules::LearnerOptions learner;
+    /// Experiences of the rule that covers it, from which on an action is
+    /// known.
+    int known_count = 2;
+    /// Whether actions are explored of which the rules expect no change.
+    bool explores_no_ops = true;
+    /// Asks when an action that should have changed something has failed so
+    /// often in a row that this was less likely.
+    double least_failure_probability = 0.02;
+    /// A demonstration that changed nothing is of use all the same, or the
+    /// teacher would not have shown it: it is repeated so often at most.
+    int max_repetitions = 6;
+    /// Of the planner; a plan that takes more is none.
+    int64_t max_expansions = 3000;
+    uint64_t seed = 1;
+  };
+
+  RexD(const RexdTask& task, const Params& params);
+
+  Decision Decide(const rules::WorldState& state);
+  /// @param is_demonstrated  whether the teacher did it
+  void Observe(const rules::Experience& experience,
+               bool is_demonstrated = false);
+  /// The goal cannot be reached from here. Changes of the last experience that
+  /// no other has had are avoided from now on: no action is done that may lead
+  /// to them.
+  void RememberDeadEnd();
+
+  const rules::NdrRules& rules() const { return rules_; }
+  const rules::Learner& learner() const { return learner_; }
+  /// The first action of the best plan by the rules as they are; nullopt if
+  /// there is none.
+  std::optional<rules::GroundAct> Plan(const rules::WorldState& state);
+
+ private:
+  /// A predicate that becomes true or false, of whatever objects.
+  using Effect = std::pair<int, bool>;
+
+  std::set<Effect> EffectsOf(const rules::Experience& experience) const;
+  bool IsDangerous(const rules::GroundAct& act,
+                   const rules::WorldState& state) const;
+  std::optional<rules::GroundAct> LeastTried(const rules::WorldState& state);
+  bool HasFailedTooOften(const rules::GroundAct& act,
+                         const rules::WorldState& state) const;
+  std::vector<rules::GroundAct> KnownActs() const;
+  /// Probability that the rules give to any change, as if two more experiences
+  /// had been had, one with a change (rule of succession).
+  double ChangeProbability(const rules::GroundAct& act,
+                           const rules::WorldState& state) const;
+  /// True if the rules are sure that nothing changes.
+  bool IsNoOp(const rules::GroundAct& act,
+              const rules::WorldState& state) const;
+
+  const RexdTask& task_;
+  Params params_;
+  rules::Learner learner_;
+  rules::NdrRules rules_;
+  std::vector<int> counts_;  // of each rule
+  std::set<int> actions_;    // that were seen
+  rules::RandomNumbers random_;
+  std::optional<rules::Experience> last_;
+  int num_failures_ = 0;   // of the last action, in a row
+  double p_at_first_ = 0;  // that it would change anything, at the first
+  std::optional<rules::GroundAct> shown_in_vain_;
+  int num_repetitions_ = 0;
+  std::set<Effect> harmless_;
+  std::set<Effect> dangers_;
+};
+
+}  // namespace cell::rexd

@@ -1,0 +1,84 @@
+#include "common/rexd/rexd_run.h"
+
+namespace cell::rexd {
+
+using namespace rules;
+namespace {
+
+/// One run: a learner, its teacher, and the world.
+class RexdRun {
+ public:
+  RexdRun(const RexdTask& task, const RunParams& params)
+      : task_(task),
+        params_(params),
+        world_rules_(WithSuccess(task.truth, params.success)),
+        random_(params.seed),
+        teacher_(task, params.success, params.teacher, random_.Next()),
+        learner_(task, LearnerParams()) {}
+
+  EpisodeCounts Episode() {
+    EpisodeCounts counts;
+    WorldState state = task_.initial;
+    while (counts.num_actions < params_.max_actions) {
+      if (task_.IsGoal(state)) {
+        counts.is_goal_reached = true;
+        break;
+      }
+      if (!Step(&state, &counts)) break;
+    }
+    counts.is_goal_reached |= task_.IsGoal(state);
+    return counts;
+  }
+
+ private:
+  RexD::Params LearnerParams() {
+    RexD::Params params = params_.learner;
+    params.seed = random_.Next();
+    return params;
+  }
+
+  /// False in a dead end.
+  bool Step(WorldState* state, EpisodeCounts* counts) {
+    const Decision decision = learner_.Decide(*state);
+    Experience experience{*state, decision.act, *state};
+    if (decision.kind == Decision::Kind::kAsk) {
+      const auto act = teacher_.Choose(*state, {&learner_.rules()});
+      if (!act) {
+        learner_.RememberDeadEnd();
+        return false;
+      }
+      experience.act = *act;
+      experience.after = teacher_.Act(*act, *state);
+      ++counts->num_demonstrations;
+    } else {
+      experience.after =
+          Simulate(world_rules_, *task_.world, decision.act, *state, &random_);
+      counts->num_explorations += decision.kind == Decision::Kind::kExplore;
+    }
+    ++counts->num_actions;
+    learner_.Observe(experience, decision.kind == Decision::Kind::kAsk);
+    *state = experience.after;
+    return true;
+  }
+
+  const RexdTask& task_;
+  const RunParams& params_;
+  NdrRules world_rules_;
+  RandomNumbers random_;
+  PlanningTeacher teacher_;
+  RexD learner_;
+};
+
+}  // namespace
+
+std::vector<EpisodeCounts> RunRexd(const RexdTask& task,
+                                   const RunParams& params) {
+  RexdRun run(task, params);
+  std::vector<EpisodeCounts> episodes;
+  for (int i = 0; i < params.num_episodes; ++i) {
+    episodes.push_back(run.Episode());
+  }
+  return episodes;
+}
+
+}  // namespace cell::rexd

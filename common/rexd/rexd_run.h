@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "common/rexd/rexd.h"
+#include "common/rexd/teacher.h"
+
+namespace cell::rexd {
+
+/// What happened in an episode. Demonstrations and explorations count as
+/// actions.
+struct EpisodeCounts {
+  int num_actions = 0;
+  int num_demonstrations = 0;
+  int num_explorations = 0;
+  bool is_goal_reached = false;
+};
+
+struct RunParams {
+  RexD::Params learner;
+  PlanningTeacher::Params teacher;
+  /// Of every action of the robot.
+  double success = 1;
+  int num_episodes = 4;
+  /// After so many actions an episode has failed.
+  int max_actions = 100;
+  uint64_t seed = 1;
+};
+
+/// Learns a task from nothing, episode after episode.
+std::vector<EpisodeCounts> RunRexd(const RexdTask& task,
+                                   const RunParams& params);
+
+}  // namespace cell::rexd

@@ -1,0 +1,119 @@
+#include "common/rexd/rexd_task.h"
+
+#include <algorithm>
+#include <map>
+
+#include "common/rules/data_text.h"
+#include "common/rules/rule_error.h"
+#include "common/rules/rule_text.h"
+#include "common/rules/tokens.h"
+
+namespace cell::rexd {
+
+using namespace rules;
+namespace {
+
+/// The goal's literals: "on(a b) -clear(a)".
+std::vector<Literal> ReadGoal(const std::string& text, const Place& place,
+                              const World& world) {
+  std::vector<Literal> goal;
+  TokenReader in(text, place);
+  while (!in.AtEnd()) {
+    Literal literal;
+    literal.comparison =
+        in.TakeIf("-") ? Comparison::kFalse : Comparison::kTrue;
+    const std::string name = in.Word("a predicate");
+    const auto symbol = world.symbols().Find(name);
+    if (!symbol || world.symbols()[*symbol].is_integer ||
+        world.symbols()[*symbol].kind == Symbol::Kind::kAction) {
+      in.Fail("there is no predicate '" + name + "'");
+    }
+    literal.symbol = *symbol;
+    in.Expect("(");
+    while (!in.TakeIf(")")) {
+      const std::string object = in.Word("an object");
+      const auto index = world.FindObject(object);
+      if (!index) in.Fail("there is no object '" + object + "'");
+      literal.terms.push_back({Term::Kind::kObject, *index});
+      in.TakeIf(",");
+    }
+    if (static_cast<int>(literal.terms.size()) !=
+        world.symbols()[*symbol].arity) {
+      in.Fail(fmt::format("'{}' has {} arguments, not {}", name,
+                          world.symbols()[*symbol].arity,
+                          literal.terms.size()));
+    }
+    goal.push_back(std::move(literal));
+  }
+  if (goal.empty()) in.Fail("the goal is empty");
+  return goal;
+}
+
+std::vector<std::string> ReadObjects(const TextLine& line) {
+  TokenReader in(line.text, line.place);
+  std::vector<std::string> objects;
+  while (!in.AtEnd()) {
+    objects.push_back(in.Word("the name of an object"));
+    if (IsVariableName(objects.back())) {
+      in.Fail("'" + objects.back() + "' should begin with a small letter");
+    }
+  }
+  return objects;
+}
+
+}  // namespace
+
+bool RexdTask::IsGoal(const WorldState& state) const {
+  return std::ranges::all_of(goal, [&](const Literal& literal) {
+    return Holds(literal, {}, state, *world);
+  });
+}
+
+RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
+  std::map<std::string, TextLine> sections;
+  std::string rest;
+  for (TextLine& line : SplitLines(text, file)) {
+    const size_t colon = line.text.find(':');
+    const std::string key = line.text.substr(0, colon);
+    const bool is_section =
+        colon != std::string::npos &&
+        (key == "objects" || key == "start" || key == "goal");
+    rest += is_section ? "\n" : line.text + "\n";
+    if (!is_section) continue;
+    line.text = line.text.substr(colon + 1);
+    if (!sections.emplace(key, line).second) {
+      line.place.Fail("'" + key + ":' is there twice");
+    }
+  }
+  for (const char* key : {"objects", "start", "goal"}) {
+    if (!sections.contains(key)) {
+      throw RuleError(file, 1, fmt::format("a line '{}: ...' is missing", key));
+    }
+  }
+  RexdTask task;
+  task.truth = ParseRules(rest, file);
+  task.world = std::make_shared<World>(task.truth.symbols,
+                                       ReadObjects(sections["objects"]));
+  const TextLine& start = sections["start"];
+  task.initial = ParseState(start.text, file, start.place.line, *task.world);
+  std::ranges::fill(task.initial.is_present, 1);
+  task.world->Derive(&task.initial);
+  task.goal =
+      ReadGoal(sections["goal"].text, sections["goal"].place, *task.world);
+  return task;
+}
+
+NdrRules WithSuccess(const NdrRules& truth, double success) {
+  NdrRules scaled = truth;
+  for (Rule& rule : scaled.rules) {
+    rule.noise = 1;
+    for (Outcome& outcome : rule.outcomes) {
+      if (!outcome.changes.empty()) outcome.probability *= success;
+      rule.noise -= outcome.probability;
+    }
+    rule.noise = std::max(0.0, rule.noise);
+  }
+  return scaled;
+}
+
+}  // namespace cell::rexd

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/rules/rule.h"
+
+namespace cell::rexd {
+
+/// A world that a learner acts in: what its actions do, where it begins, and
+/// what it should reach.
+struct RexdTask {
+  std::shared_ptr<const rules::World> world;
+  rules::NdrRules truth;
+  rules::WorldState initial;
+  std::vector<rules::Literal> goal;  ///< ground; all at once
+
+  bool IsGoal(const rules::WorldState& state) const;
+};
+
+/// Reads a task: the symbols and rules as ParseRules() does; before them lines
+/// that begin with "objects:", "start:" and "goal:".
+///
+///   objects: a b
+///   start: block(a) block(b) on(a b)
+///   goal: on(b a)
+///   on 2 primitive
+///   ...
+///   Action: put(X, Y)
+///   ...
+///
+/// @throws RuleError "file:line: ..."
+RexdTask ParseRexdTask(const std::string& text, const std::string& file);
+
+/// The rules when every outcome that changes something happens with
+/// `success` times its probability, and otherwise nothing.
+rules::NdrRules WithSuccess(const rules::NdrRules& truth, double success);
+
+}  // namespace cell::rexd

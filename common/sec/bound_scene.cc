@@ -1,0 +1,48 @@
+#include "common/sec/bound_scene.h"
+
+#include <algorithm>
+
+namespace cell {
+
+bool BoundScene::Touches(const Partner& partner) const {
+  switch (partner.kind) {
+    case Partner::Kind::kRole:
+      return TouchesPart(PartOf(roles_[partner.role]));
+    case Partner::Kind::kObject:
+      return TouchesPart(partner.name);
+    case Partner::Kind::kType:
+      break;
+  }
+  const Vocabulary& vocabulary = words_.vocabulary;
+  const auto type = vocabulary.types().Find(partner.name);
+  return type && std::ranges::any_of(
+                     vocabulary.ObjectsOf(*type), [&](const int object) {
+                       const auto& name = vocabulary.objects()[object].name;
+                       return !IsInRole(name) && TouchesPart(name);
+                     });
+}
+
+bool BoundScene::MayHold(const Literal& literal) const {
+  return cell::MayHold(literal, roles_, sensed_.state, words_.vocabulary);
+}
+
+bool BoundScene::MustHold(const Literal& literal) const {
+  return cell::MustHold(literal, roles_, sensed_.state, words_.vocabulary);
+}
+
+std::string BoundScene::PartOf(int object) const {
+  const std::string& name = words_.vocabulary.objects()[object].name;
+  const Site* site = words_.parts.FindSite(name);
+  return site ? site->host : name;
+}
+
+bool BoundScene::IsInRole(const std::string& part) const {
+  return std::ranges::any_of(
+      roles_, [&](const int object) { return PartOf(object) == part; });
+}
+
+bool BoundScene::TouchesPart(const std::string& part) const {
+  return Touch(sensed_.frame.relations, PartOf(roles_[moved_]), part);
+}
+
+}  // namespace cell

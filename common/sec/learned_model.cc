@@ -1,0 +1,89 @@
+#include "common/sec/learned_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cell {
+namespace {
+
+std::string Signature(std::span<const Variable> variables,
+                      const TypeHierarchy& types) {
+  std::string text;
+  for (const Variable& variable : variables) {
+    text += (text.empty() ? "" : ", ") + types.name(variable.type);
+  }
+  return "(" + text + ")";
+}
+
+}  // namespace
+
+int LearnedModel::NumShown() const {
+  return std::accumulate(
+      shown.begin(), shown.end(), 0,
+      [](int sum, const auto& entry) { return sum + entry.second; });
+}
+
+LiteralSet LearnedModel::RequiredLiterals() const {
+  LiteralSet required = ChangedLiterals(pick, place);
+  std::erase_if(required, [this](const Literal& literal) {
+    return !Mentions(literal, moved);
+  });
+  return required;
+}
+
+bool LearnedModel::SaysTheSame(const LearnedModel& other) const {
+  LearnedModel copy = other;
+  copy.shown = shown;
+  return *this == copy;
+}
+
+int CommonType(const TypeHierarchy& types, int a, int b) {
+  int common = TypeHierarchy::kObject;
+  for (int type = 0; type < types.size(); ++type) {
+    if (types.IsA(a, type) && types.IsA(b, type) && types.IsA(type, common)) {
+      common = type;
+    }
+  }
+  return common;
+}
+
+Result<LearnedModel> FitToArguments(const LearnedModel& model,
+                                    std::span<const Variable> arguments,
+                                    const TypeHierarchy& types) {
+  std::vector<size_t> order(model.roles.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto fits = [&] {
+    for (size_t i = 0; i < order.size(); ++i) {
+      if (!types.IsA(model.roles[i].type, arguments[order[i]].type)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  bool has_found = false;
+  if (arguments.size() == model.roles.size()) {
+    do {
+      has_found = fits();
+    } while (!has_found && std::next_permutation(order.begin(), order.end()));
+  }
+  if (!has_found) {
+    return Reason{fmt::format("it was shown with {}, but takes {}",
+                              Signature(model.roles, types),
+                              Signature(arguments, types))};
+  }
+  const RoleMap places(order.begin(), order.end());
+  LearnedModel fitted{model.roles,
+                      order[model.moved],
+                      Renamed(model.pick, places),
+                      Renamed(model.place, places),
+                      model.chain,
+                      model.shown};
+  for (size_t i = 0; i < order.size(); ++i) {
+    fitted.roles[order[i]] = {arguments[order[i]].name, model.roles[i].type};
+  }
+  return fitted;
+}
+
+}  // namespace cell

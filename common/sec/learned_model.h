@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/relational/literal.h"
+#include "common/relational/type_hierarchy.h"
+#include "common/result/result.h"
+#include "common/sec/event_chain.h"
+#include "common/sec/scene_facts.h"
+
+namespace cell {
+
+/// How an action shows, as it was learned (section VII-A): what all its
+/// showings share before the pick-up and after the placement. A value.
+struct LearnedModel {
+  std::vector<Variable> roles;  ///< with the narrowest types that were shown
+  size_t moved = 0;             ///< the role that is picked up and placed
+  SceneFacts pick;              ///< before the hand comes
+  SceneFacts place;             ///< after the hand has left
+  /// Of its first showing: rows of the moved part, as in Showing.
+  EventChain chain;
+  std::map<std::string, int> shown;  ///< how often, by demonstration
+
+  int NumShown() const;
+  /// What changes, of predicates of the moved part: without it there is no
+  /// such action. As it is before the pick-up.
+  LiteralSet RequiredLiterals() const;
+
+  bool operator==(const LearnedModel&) const = default;
+  /// The same but for how often they were shown.
+  bool SaysTheSame(const LearnedModel& other) const;
+};
+
+/// The narrowest type that both are.
+int CommonType(const TypeHierarchy& types, int a, int b);
+
+/// The model with the names and the order of the action's arguments, each of
+/// which is one role. Refused unless there is one argument for each role, whose
+/// type the role's is; of several ways the first.
+Result<LearnedModel> FitToArguments(const LearnedModel& model,
+                                    std::span<const Variable> arguments,
+                                    const TypeHierarchy& types);
+
+}  // namespace cell

@@ -1,0 +1,281 @@
+#include "common/sec/sec_learner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "common/sec/role_matching.h"
+
+namespace cell {
+namespace {
+
+constexpr std::array kRoleNames = {"X", "Y", "Z", "U", "V"};
+static_assert(kRoleNames.size() == kMaxRoles);
+
+LiteralSet OfMovedPart(LiteralSet literals) {
+  std::erase_if(literals, [](const Literal& l) { return !Mentions(l, 0); });
+  return literals;
+}
+
+/// Jaccard index. @pre one of them has something.
+double Overlap(const LiteralSet& a, const LiteralSet& b, size_t num_more) {
+  const auto num_common = std::count_if(
+      a.begin(), a.end(), [&](const Literal& l) { return b.contains(l); });
+  return static_cast<double>(num_common) /
+         static_cast<double>(a.size() + b.size() + num_more -
+                             static_cast<size_t>(num_common));
+}
+
+bool IsOfMovedPartAlone(const Literal& literal) {
+  return std::ranges::all_of(literal.terms,
+                             [](const Term& term) { return term.index == 0; });
+}
+
+}  // namespace
+
+SecLearner::SecLearner(std::shared_ptr<const SceneWords> words,
+                       std::shared_ptr<const ChainSimilarity> similarity,
+                       const Params& params)
+    : words_(std::move(words)),
+      similarity_(std::move(similarity)),
+      params_(params) {}
+
+void SecLearner::Know(const std::string& name, const LearnedModel& model) {
+  RoleMap places;  // role 0 is moved
+  std::vector<int> types = {model.roles[model.moved].type};
+  for (size_t i = 0; i < model.roles.size(); ++i) {
+    places.push_back(i == model.moved ? 0 : types.size());
+    if (i != model.moved) types.push_back(model.roles[i].type);
+  }
+  const std::string number =
+      name.starts_with(kMadeUp) ? name.substr(sizeof(kMadeUp) - 1) : "";
+  size_t made_up = 0;
+  std::from_chars(number.data(), number.data() + number.size(), made_up);
+  num_made_up_ = std::max(num_made_up_, made_up);
+  Group known{name,
+              made_up == 0,
+              types,
+              Renamed(model.pick, places),
+              Renamed(model.place, places),
+              model.chain,
+              model.shown};
+  const auto group = std::ranges::find(groups_, name, &Group::name);
+  if (group == groups_.end()) {
+    groups_.push_back(std::move(known));
+  } else {
+    *group = std::move(known);
+  }
+}
+
+std::optional<SecLearner::Lesson> SecLearner::Add(
+    const ObservedManipulation& manipulation, const std::string& source) {
+  const auto showing = Lift(manipulation, *words_);
+  if (!showing) return std::nullopt;
+  Match best;
+  size_t found = groups_.size();
+  for (size_t i = 0; i < groups_.size(); ++i) {
+    Match match = MatchOf(groups_[i], *showing, true);
+    if (match.similarity < params_.threshold ||
+        match.similarity <= best.similarity) {
+      continue;
+    }
+    best = std::move(match);
+    found = i;
+  }
+  if (found == groups_.size()) {
+    groups_.push_back({fmt::format("{}{}", kMadeUp, ++num_made_up_),
+                       false,
+                       showing->types,
+                       showing->pick,
+                       showing->place,
+                       showing->chain,
+                       {{source, 1}}});
+    return Lesson{found, ActionDirection::kForward, true};
+  }
+  const bool is_forward = best.direction == ActionDirection::kForward;
+  Join(is_forward ? *showing : showing->Reversed(), best.places,
+       groups_[found]);
+  ++groups_[found].shown[source];
+  return Lesson{found, best.direction, false};
+}
+
+Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,
+                                bool is_undone) {
+  Group& shown = groups_.at(lesson.group);
+  const bool is_backwards =
+      is_undone != (lesson.direction == ActionDirection::kReversed);
+  if (shown.is_named) {
+    if (shown.name != name) return Reason{"it is known as " + shown.name};
+    if (is_backwards) {
+      return Reason{name + (is_undone ? " was done, not undone"
+                                      : " was undone, not done")};
+    }
+    return lesson.group;
+  }
+  Showing showing{{}, shown.types, shown.pick, shown.place, shown.chain};
+  if (is_backwards) showing = showing.Reversed();
+  const auto known = std::ranges::find_if(groups_, [&](const Group& group) {
+    return group.is_named && group.name == name;
+  });
+  if (known == groups_.end()) {
+    shown = {name,          true,          showing.types, showing.pick,
+             showing.place, showing.chain, shown.shown};
+    return lesson.group;
+  }
+  const Match match = MatchOf(*known, showing, false);
+  if (match.similarity < params_.threshold ||
+      known->types.size() != showing.types.size()) {
+    return Reason{"it does not change what " + name + " changes"};
+  }
+  if (match.direction != ActionDirection::kForward) {
+    return Reason{
+        name + (is_undone ? " was done, not undone" : " was undone, not done")};
+  }
+  Join(showing, match.places, *known);
+  for (const auto& [source, count] : shown.shown) known->shown[source] += count;
+  shown = {};
+  return static_cast<size_t>(known - groups_.begin());
+}
+
+std::vector<SecLearner::Action> SecLearner::Actions() const {
+  std::vector<Action> actions;
+  for (const Group& group : groups_) {
+    if (group.types.empty()) continue;
+    actions.push_back({group.name, group.is_named, ModelOf(group)});
+  }
+  std::ranges::sort(actions, {}, &Action::name);
+  return actions;
+}
+
+SecLearner::Action SecLearner::ActionOf(const Lesson& lesson) const {
+  const Group& group = groups_.at(lesson.group);
+  return {group.name, group.is_named, ModelOf(group)};
+}
+
+SecLearner::Match SecLearner::MatchOf(const Group& group,
+                                      const Showing& showing,
+                                      bool needs_types) const {
+  Match best;
+  for (const auto direction :
+       {ActionDirection::kForward, ActionDirection::kReversed}) {
+    const Showing read =
+        direction == ActionDirection::kForward ? showing : showing.Reversed();
+    ForEachMatching(read.types.size(), group.types.size(),
+                    [&](const RoleMap& places) {
+                      if (needs_types && !AreTypesKnown(group, read, places))
+                        return;
+                      const double similarity = Similarity(group, read, places);
+                      if (similarity <= best.similarity) return;
+                      best = {similarity, direction, places};
+                    });
+  }
+  return best;
+}
+
+bool SecLearner::AreTypesKnown(const Group& group, const Showing& showing,
+                               const RoleMap& places) const {
+  for (size_t role = 0; role < places.size(); ++role) {
+    if (places[role] && !words_->vocabulary.types().IsA(
+                            showing.types[role], group.types[*places[role]])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double SecLearner::Similarity(const Group& group, const Showing& showing,
+                              const RoleMap& places) const {
+  const LiteralSet of_showing =
+      OfMovedPart(ChangedLiterals(showing.pick, showing.place));
+  const LiteralSet of_group =
+      OfMovedPart(ChangedLiterals(group.pick, group.place));
+  const double chains = similarity_->Between(group.chain, showing.chain);
+  if (of_showing.empty() && of_group.empty()) return chains;
+  const LiteralSet renamed = Renamed(of_showing, places);
+  const double literals =
+      Overlap(of_group, renamed, of_showing.size() - renamed.size());
+  return params_.literal_share * literals +
+         (1 - params_.literal_share) * chains;
+}
+
+void SecLearner::Join(const Showing& showing, const RoleMap& places,
+                      Group& group) const {
+  for (size_t role = 0; role < places.size(); ++role) {
+    if (!places[role]) continue;
+    int& type = group.types[*places[role]];
+    type = CommonType(words_->vocabulary.types(), type, showing.types[role]);
+  }
+  group.pick = Intersection(group.pick, Renamed(showing.pick, places));
+  group.place = Intersection(group.place, Renamed(showing.place, places));
+}
+
+LearnedModel SecLearner::ModelOf(const Group& group) const {
+  LearnedModel model;
+  for (size_t role = 0; role < group.types.size(); ++role) {
+    model.roles.push_back({kRoleNames[role], group.types[role]});
+  }
+  model.pick = Characteristic(group, true);
+  model.place = Characteristic(group, false);
+  model.chain = group.chain;
+  model.shown = group.shown;
+  return model;
+}
+
+/// What changes, what always relates the roles, and what only this action has.
+SceneFacts SecLearner::Characteristic(const Group& group, bool at_pick) const {
+  const std::set<Partner> partners = ChangedPartners(group.pick, group.place);
+  const LiteralSet changed = ChangedLiterals(group.pick, group.place);
+  const SceneFacts& all = at_pick ? group.pick : group.place;
+  const auto stance_of_literal = [](const Literal& literal) {
+    return [&literal](const SceneFacts& facts) {
+      if (facts.where.contains(literal)) return Stance::kShares;
+      return facts.where.contains(Negated(literal)) ? Stance::kContradicts
+                                                    : Stance::kSilent;
+    };
+  };
+  const auto is_idle_literal = [&](const Literal& literal) {
+    if (literal.is_static || changed.contains(literal) ||
+        changed.contains(Negated(literal))) {
+      return false;
+    }
+    return !IsOfMovedPartAlone(literal) ||
+           !IsTelling(group, at_pick, stance_of_literal(literal));
+  };
+  const auto is_idle_partner = [&](const Partner& partner) {
+    if (partners.contains(partner)) return false;
+    const bool touches = all.touch.contains(partner);
+    return partner.kind != Partner::Kind::kObject ||
+           !IsTelling(group, at_pick, [&](const SceneFacts& facts) {
+             const bool has_touch = facts.touch.contains(partner);
+             if (!has_touch && !facts.apart.contains(partner)) {
+               return Stance::kSilent;
+             }
+             return has_touch == touches ? Stance::kShares
+                                         : Stance::kContradicts;
+           });
+  };
+  SceneFacts facts = all;
+  std::erase_if(facts.where, is_idle_literal);
+  std::erase_if(facts.touch, is_idle_partner);
+  std::erase_if(facts.apart, is_idle_partner);
+  return facts;
+}
+
+/// Some other group contradicts it, and none shares it.
+bool SecLearner::IsTelling(
+    const Group& group, bool at_pick,
+    const std::function<Stance(const SceneFacts&)>& stance) const {
+  bool is_contradicted = false;
+  for (const Group& other : groups_) {
+    if (&other == &group || other.types.empty()) continue;
+    const Stance taken = stance(at_pick ? other.pick : other.place);
+    if (taken == Stance::kShares) return false;
+    is_contradicted = is_contradicted || taken == Stance::kContradicts;
+  }
+  return is_contradicted;
+}
+
+}  // namespace cell

@@ -1,0 +1,47 @@
+#include "services/cell/commands/rules_files.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/rules/data_text.h"
+#include "common/rules/rule_text.h"
+
+namespace cell::cli {
+
+namespace fs = std::filesystem;
+
+std::string TextOfFile(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file.is_open() || fs::is_directory(path)) {
+    throw std::runtime_error(path.string() + ": cannot be read");
+  }
+  return text.str();
+}
+
+rules::ExperienceSet LoadExperiences(const fs::path& data,
+                                     const fs::path& symbols) {
+  const fs::path file = fs::is_directory(data) ? data / "data.dat" : data;
+  const std::string text = TextOfFile(file);
+  const fs::path declarations =
+      symbols.empty() ? file.parent_path() / "symbols.dat" : symbols;
+  auto table =
+      std::make_shared<const rules::SymbolTable>(rules::SymbolTable::Parse(
+          TextOfFile(declarations), declarations.string()));
+  rules::ExperienceSet set =
+      rules::ParseExperiences(text, file.string(), std::move(table));
+  if (set.experiences.empty()) {
+    throw std::runtime_error(file.string() +
+                             ": holds no experience: a state, "
+                             "an action, and the state after it");
+  }
+  return set;
+}
+
+rules::NdrRules LoadRules(const fs::path& path) {
+  return rules::ParseRules(TextOfFile(path), path.string());
+}
+
+}  // namespace cell::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/rules/experience.h"
+
+namespace cell::cli {
+
+/// The whole file. @throws std::runtime_error naming it
+std::string TextOfFile(const std::filesystem::path& path);
+
+/// Reads experiences, and the symbols that they are written with.
+/// @param data     a file, or a folder with data.dat
+/// @param symbols  a file; if empty, symbols.dat beside the data
+/// @throws RuleError, std::runtime_error naming file and line
+rules::ExperienceSet LoadExperiences(const std::filesystem::path& data,
+                                     const std::filesystem::path& symbols);
+
+/// @throws RuleError, std::runtime_error naming file and line
+rules::NdrRules LoadRules(const std::filesystem::path& path);
+
+}  // namespace cell::cli

@@ -1,0 +1,133 @@
+#include "services/cell/learning/sec_lessons.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "common/actions/sec_models.h"
+#include "common/sec/chain_similarities.h"
+#include "common/sec/learned_library.h"
+#include "common/text/printable.h"
+#include "services/cell/recordings/recorded_tracks.h"
+#include "services/recognizer/recognition.h"
+#include "services/sec_builder/key_frame_builder.h"
+
+namespace cell::cli {
+namespace {
+
+constexpr char kHead[] =
+    "# How the task's actions show in event chains. Learned by `cell learn "
+    "sec`\n"
+    "# from the demonstrations in recordings/.\n";
+
+/// One recording, and what is learned from it.
+class Lesson {
+ public:
+  Lesson(const Recording& recording, const Deployment& deployment,
+         const Task& task, SecLearner& learner)
+      : recording_(recording),
+        source_(fmt::format("{} {}", recording.demonstration, recording.seed)),
+        learner_(learner),
+        tracks_(recording, task.scene_objects, task.layout, {}),
+        builder_(sec_builder::KeyFrameBuilder::Params::Load(deployment, task)),
+        recognition_(task.scene_objects, task.parts,
+                     std::make_shared<const LearnedLibrary>(
+                         std::vector<LearnedLibrary::Entry>{},
+                         std::make_shared<const SceneWords>(
+                             SceneWords{task.domain.vocabulary(), task.parts})),
+                     task.MakeSensor(), {}) {
+    recognition_.SetObserver([this](const auto& manipulation, const auto&) {
+      last_ = learner_.Add(manipulation, source_);
+    });
+  }
+
+  void Attend() {
+    while (const auto tracks = tracks_.Next()) {
+      Listen(tracks->utime);
+      for (const KeyFrame& frame : builder_.Update(*tracks)) {
+        recognition_.Update(frame);
+      }
+    }
+    Listen(std::numeric_limits<int64_t>::max());
+  }
+
+ private:
+  /// What is said before `utime` names what was shown before it.
+  void Listen(int64_t utime) {
+    for (; num_heard_ < recording_.spoken.size(); ++num_heard_) {
+      const Recording::SpokenName& said = recording_.spoken[num_heard_];
+      if (said.utime >= utime) return;
+      if (!last_) Fail(said, "nothing was shown before it");
+      const auto group = learner_.Name(*last_, said.name, said.is_undone);
+      if (!group) Fail(said, group.reason());
+      last_ = SecLearner::Lesson{*group,
+                                 said.is_undone ? ActionDirection::kReversed
+                                                : ActionDirection::kForward,
+                                 false};
+    }
+  }
+
+  [[noreturn]] void Fail(const Recording::SpokenName& said,
+                         const std::string& why) const {
+    throw RecordingError(fmt::format("{}: '{}' is said at {} us, but {}",
+                                     source_, Printable(said.name), said.utime,
+                                     why));
+  }
+
+  const Recording& recording_;
+  std::string source_;
+  SecLearner& learner_;
+  RecordedTracks tracks_;
+  sec_builder::KeyFrameBuilder builder_;
+  recognizer::Recognition recognition_;
+  std::optional<SecLearner::Lesson> last_;
+  size_t num_heard_ = 0;
+};
+
+}  // namespace
+
+SecLessons::SecLessons(const Deployment& deployment)
+    : deployment_(deployment),
+      task_(LoadTask(deployment)),
+      learner_(std::make_shared<const SceneWords>(
+                   SceneWords{task_.domain.vocabulary(), task_.parts}),
+               MakeChainSimilarity(SecLearner::kMeasure), {}) {}
+
+void SecLessons::Attend(const Recording& recording) {
+  const auto task =
+      (deployment_.task_dir / "").parent_path().filename().string();
+  if (recording.task != task) {
+    throw RecordingError(fmt::format(
+        "{} {}: is a recording of the task {}, not {}", recording.demonstration,
+        recording.seed, Printable(recording.task), task));
+  }
+  Lesson(recording, deployment_, task_, learner_).Attend();
+}
+
+std::map<std::string, LearnedModel> SecLessons::Models() const {
+  std::map<std::string, LearnedModel> models;
+  for (const SecLearner::Action& learned : learner_.Actions()) {
+    if (!learned.is_named) continue;
+    const auto action = task_.domain.FindAction(learned.name);
+    if (!action) {
+      throw RecordingError("the task has no action '" +
+                           Printable(learned.name) + "'");
+    }
+    const auto fitted = FitToArguments(
+        learned.model,
+        task_.domain.actions()[static_cast<size_t>(*action)].arguments,
+        task_.domain.vocabulary().types());
+    if (!fitted) throw RecordingError(learned.name + ": " + fitted.reason());
+    models.emplace(learned.name, *fitted);
+  }
+  return models;
+}
+
+std::string SecLessons::ModelsText() const {
+  return kHead + SecModelsText(Models(), task_.domain.vocabulary());
+}
+
+}  // namespace cell::cli

@@ -1,0 +1,138 @@
+#include "services/recognizer/learning.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/actions/action_model_writer.h"
+#include "common/actions/sec_models.h"
+#include "common/sec/chain_similarities.h"
+
+namespace cell::recognizer {
+namespace {
+
+/// Of the effects of an action that was only seen, never planned yet.
+constexpr double kNoise = 0.05;
+
+std::shared_ptr<const SceneWords> WordsOf(const ActionModels& actions) {
+  return std::make_shared<const SceneWords>(
+      SceneWords{actions.domain().vocabulary(), actions.parts()});
+}
+
+const ActionModel* Find(const ActionModels& actions, const std::string& name) {
+  for (const ActionModel& model : actions.models()) {
+    if (model.action.name == name) return &model;
+  }
+  return nullptr;
+}
+
+/// An action that nobody has described: it does what was seen of it.
+Action ActionOf(const SecLearner::Action& learned) {
+  const LearnedModel& model = learned.model;
+  NdrRule rule;
+  rule.agents = {Agent::kPerson};
+  rule.context.assign(model.pick.where.begin(), model.pick.where.end());
+  Effect effect;
+  for (const Literal& literal : ChangedLiterals(model.pick, model.place)) {
+    effect.then.push_back(Negated(literal));
+  }
+  rule.outcomes = {{1 - kNoise, {effect}}};
+  rule.noise = kNoise;
+  return {.name = learned.name,
+          .arguments = model.roles,
+          .agents = {Agent::kPerson},
+          .undoes = {},
+          .rules = {rule},
+          .skill = {}};
+}
+
+}  // namespace
+
+Learning::Learning(const ActionModels& actions)
+    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure),
+               {}) {
+  for (const ActionModel& model : actions.models()) {
+    if (model.sec) learner_.Know(model.action.name, *model.sec);
+  }
+}
+
+void Learning::OnManipulation(const ObservedManipulation& manipulation,
+                              const std::string& source) {
+  last_ = learner_.Add(manipulation, source);
+  has_news_ = has_news_ || last_.has_value();
+}
+
+Result<std::string> Learning::Name(const std::string& name, bool is_undone,
+                                   const ActionModels& actions) {
+  if (!last_) {
+    return Reason{
+        "nothing was shown that changes a predicate or what the moved part "
+        "touches"};
+  }
+  const SecLearner::Action shown = learner_.ActionOf(*last_);
+  if (const ActionModel* known = Find(actions, name)) {
+    const auto fitted = FitToArguments(shown.model, known->action.arguments,
+                                       actions.domain().vocabulary().types());
+    if (!fitted) return Reason{name + ": " + fitted.reason()};
+  }
+  const Result<size_t> group = learner_.Name(*last_, name, is_undone);
+  if (!group) return Reason{group.reason()};
+  last_ = SecLearner::Lesson{
+      *group,
+      is_undone ? ActionDirection::kReversed : ActionDirection::kForward,
+      false};
+  if (!shown.is_named) renamed_.insert(shown.name);
+  has_news_ = true;
+  return fmt::format("what was shown {} {}", is_undone ? "undoes" : "is", name);
+}
+
+void Learning::OnRecord(const std::string& name, const ActionModels& actions) {
+  has_news_ = true;
+  if (requested_.erase(name) > 0) return;  // it says what this asked for
+  const ActionModel* model = Find(actions, name);
+  if (model == nullptr || !model->sec) return;
+  learner_.Know(name, *model->sec);
+}
+
+std::vector<ActionRecord> Learning::TakeChanges(const ActionModels& actions) {
+  std::vector<ActionRecord> changes;
+  if (!std::exchange(has_news_, false)) return changes;
+  for (const std::string& name : std::exchange(renamed_, {})) {
+    const ActionModel* known = Find(actions, name);
+    if (known == nullptr || !known->sec) continue;
+    ActionModel retired = *known;
+    ++retired.version;
+    retired.sec.reset();
+    requested_.insert(name);
+    changes.push_back(WriteActionModel(retired, actions.domain()));
+  }
+  for (const SecLearner::Action& action : learner_.Actions()) {
+    if (requested_.contains(action.name)) continue;
+    if (auto change = ChangeOf(action, actions)) {
+      requested_.insert(action.name);
+      changes.push_back(*std::move(change));
+    }
+  }
+  return changes;
+}
+
+std::optional<ActionRecord> Learning::ChangeOf(
+    const SecLearner::Action& learned, const ActionModels& actions) const {
+  const ActionModel* known = Find(actions, learned.name);
+  ActionModel model;
+  if (known != nullptr) {
+    model = *known;
+    ++model.version;
+  } else {
+    model.action = ActionOf(learned);
+  }
+  const auto fitted = FitToArguments(learned.model, model.action.arguments,
+                                     actions.domain().vocabulary().types());
+  if (!fitted || (model.sec && fitted->SaysTheSame(*model.sec))) {
+    return std::nullopt;
+  }
+  model.sec = *fitted;
+  return WriteActionModel(model, actions.domain());
+}
+
+}  // namespace cell::recognizer

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/actions/action_models.h"
+#include "common/actions/action_record.h"
+#include "common/result/result.h"
+#include "common/sec/sec_learner.h"
+
+namespace cell::recognizer {
+
+/// Learns actions while it watches: what was shown becomes, or changes, a
+/// record of the library.
+class Learning {
+ public:
+  explicit Learning(const ActionModels& actions);
+
+  /// @param source  names the demonstration
+  void OnManipulation(const ObservedManipulation& manipulation,
+                      const std::string& source);
+  /// A manipulation that shows nothing by itself: it cannot be named.
+  void OnMixture() { last_.reset(); }
+  /// A person's name of the manipulation that was observed last; `is_undone`:
+  /// it undoes the action. What is known now, in plain words.
+  Result<std::string> Name(const std::string& name, bool is_undone,
+                           const ActionModels& actions);
+  /// The library's word on an action: what is shown from now on refines it.
+  void OnRecord(const std::string& name, const ActionModels& actions);
+
+  /// Records that say something else than `actions`, each once: until the
+  /// library has answered, nothing more is said of that action.
+  std::vector<ActionRecord> TakeChanges(const ActionModels& actions);
+  /// The library refused what was asked for.
+  void OnRefusal() { requested_.clear(); }
+
+ private:
+  std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,
+                                       const ActionModels& actions) const;
+
+  SecLearner learner_;
+  std::optional<SecLearner::Lesson> last_;
+  bool has_news_ = false;
+  std::set<std::string> requested_;  // names
+  std::set<std::string> renamed_;    // made-up names that are not used any more
+};
+
+}  // namespace cell::recognizer

@@ -1,0 +1,55 @@
+#include "services/sec_builder/key_frame_builder.h"
+
+#include <cstdint>
+#include <string>
+
+namespace cell::sec_builder {
+
+KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
+    const Deployment& deployment, const Task& task) {
+  Params params{task.scene_objects, task.parts, {}, {}, {}};
+  const Config config = deployment.ForService("sec_builder");
+  PairFilter::Params& pair = params.extractor.pair;
+  pair.touch = config.Number("touch_mm", 0.01, 1000) * 1e-3;
+  pair.release = config.Number("release_mm", 0.01, 1000) * 1e-3;
+  if (pair.release < pair.touch) {
+    config["release_mm"].Fail("must not be less than touch_mm");
+  }
+  pair.stick_out = pair.release - pair.touch;
+  pair.confirm_frames = config.Integer("confirm_frames", 1, 100);
+  pair.backdate_us = config.Integer("backdate_ms", 0, 10'000) * int64_t{1000};
+  params.extractor.merge_us =
+      config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
+  params.extractor.absent_us =
+      config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
+  params.smoother.position_sd = config.Number("pose_noise_mm", 0, 100) * 1e-3;
+  params.smoother.lag_frames = config.Integer("lag_frames", 1, 100);
+  config.Finish();
+  for (const ArmLayout& arm : task.layout.arms) {
+    const std::string suffix = ChannelSuffix(arm.name);
+    auto& channels = params.extractor.channels[arm.gripper];
+    channels = {"ARM_STATE_" + suffix};
+    if (arm.X_FS) channels.push_back("WRENCH_" + suffix);
+  }
+  params.proximity = {pair.touch / 2, 1.5 * pair.release};
+  return params;
+}
+
+KeyFrameBuilder::KeyFrameBuilder(const Params& params)
+    : params_(params),
+      smoother_(params.smoother),
+      sensor_(params.scene_objects, params.parts, params.proximity),
+      extractor_(params.scene_objects, params.extractor) {}
+
+std::vector<KeyFrame> KeyFrameBuilder::Update(const Tracks& tracks) {
+  const auto smooth = smoother_.Update(tracks);
+  if (!smooth) return {};
+  return extractor_.Update(*smooth, sensor_.Measure(*smooth));
+}
+
+void KeyFrameBuilder::Reset() {
+  smoother_ = PoseSmoother(params_.smoother);
+  extractor_ = KeyFrameExtractor(params_.scene_objects, params_.extractor);
+}
+
+}  // namespace cell::sec_builder

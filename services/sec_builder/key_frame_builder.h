@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "common/config/deployment.h"
+#include "common/parts/part_table.h"
+#include "common/scene/key_frame.h"
+#include "common/scene/scene_objects.h"
+#include "common/scene/track.h"
+#include "common/task/task.h"
+#include "services/sec_builder/key_frame_extractor.h"
+#include "services/sec_builder/pose_smoother.h"
+#include "services/sec_builder/proximity.h"
+
+namespace cell::sec_builder {
+
+/// From the tracks of an episode to its key frames (section V-B): the one way
+/// that the service and offline evaluations share.
+class KeyFrameBuilder {
+ public:
+  struct Params {
+    SceneObjects scene_objects;
+    PartTable parts;
+    ProximitySensor::Params proximity;
+    KeyFrameExtractor::Params extractor;
+    PoseSmoother::Params smoother;
+
+    /// Of sec_builder.yaml. @throws ConfigError naming file:key.
+    static Params Load(const Deployment& deployment, const Task& task);
+  };
+
+  explicit KeyFrameBuilder(const Params& params);
+
+  /// The key frames that are certain now; indices count from 0.
+  /// @pre the tracks are later than the last ones.
+  std::vector<KeyFrame> Update(const Tracks& tracks);
+
+  /// Forgets all tracks: another episode begins.
+  void Reset();
+
+ private:
+  Params params_;
+  PoseSmoother smoother_;
+  ProximitySensor sensor_;
+  KeyFrameExtractor extractor_;
+};
+
+}  // namespace cell::sec_builder

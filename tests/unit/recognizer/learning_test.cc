@@ -1,0 +1,148 @@
+#include "services/recognizer/learning.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "common/actions/sec_models.h"
+#include "services/recognizer/recognition.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+
+using namespace recognizer;
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class LearningTest : public testing::Test {
+ protected:
+  LearningTest() {
+    recognition_.SetObserver([this](const auto& manipulation, const auto&) {
+      learning_->OnManipulation(manipulation, "test 1");
+    });
+  }
+
+  /// What is recognised.
+  std::vector<RecognisedAction> Manipulate(const std::string& part,
+                                           const std::function<void()>& move) {
+    See();
+    stage_.Hold("hand_right", part);
+    See();
+    move();
+    See();
+    stage_.LetGo("hand_right", part);
+    return See();
+  }
+  std::vector<RecognisedAction> Seat(const std::string& part,
+                                     const std::string& site) {
+    return Manipulate(part, [&] { stage_.Seat(part, site); });
+  }
+  /// What the library would do.
+  std::vector<ActionRecord> Store() {
+    auto records = learning_->TakeChanges(actions_);
+    for (const ActionRecord& record : records) {
+      const auto update = actions_.Take(record);
+      EXPECT_TRUE(update) << update.reason();
+      recognition_.Use(MakeSecLibrary(actions_));
+      learning_->OnRecord(record.name, actions_);
+    }
+    return records;
+  }
+
+  static std::vector<ActionModel> WithoutSec(std::vector<ActionModel> models) {
+    for (ActionModel& model : models) model.sec.reset();
+    return models;
+  }
+
+  const ShippedTask task_;
+  ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
+  std::optional<Learning> learning_{std::in_place, actions_};
+  Stage stage_{task_};
+  Recognition recognition_{task_.scene_objects,
+                           task_.parts,
+                           MakeSecLibrary(actions_),
+                           task_.MakeSensor(),
+                           {}};
+
+ private:
+  std::vector<RecognisedAction> See() {
+    return recognition_.Update(stage_.Frame());
+  }
+};
+
+TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
+  const auto actions = Seat("round_peg_1", "base.round_1");
+  ASSERT_THAT(actions, SizeIs(1));
+  EXPECT_EQ(actions[0].direction, ActionDirection::kUnknown);
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_EQ(records[0].name, "Action1");
+  EXPECT_EQ(records[0].version, 1);
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_THAT(records[0].rules, HasSubstr("PegInHole(X, Y)"));
+  EXPECT_THAT(Store(), IsEmpty());
+
+  const auto again = Seat("round_peg_2", "base.round_2");
+  ASSERT_THAT(again, SizeIs(1));
+  EXPECT_EQ(again[0].name, "Action1");
+  EXPECT_THAT(again[0].arguments,
+              testing::ElementsAre("round_peg_2", "base.round_2"));
+  EXPECT_GT(again[0].confidence, 0.9);
+}
+
+TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  const auto named = learning_->Name("PlaceRoundPeg", false, actions_);
+  ASSERT_TRUE(named) << named.reason();
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(2));
+  EXPECT_EQ(records[0].name, "Action1");
+  EXPECT_EQ(records[0].sec, "") << "it is not recognised any more";
+  EXPECT_EQ(records[1].name, "PlaceRoundPeg");
+  EXPECT_EQ(records[1].version, 2);
+  EXPECT_THAT(records[1].skill, HasSubstr("insert"));
+  const auto again = Seat("round_peg_2", "base.round_2");
+  ASSERT_THAT(again, SizeIs(1));
+  EXPECT_EQ(again[0].name, "PlaceRoundPeg");
+  EXPECT_THAT(Store(), IsEmpty()) << "another showing says nothing new";
+}
+
+TEST_F(LearningTest, ANameOfOtherArgumentsIsRefused) {
+  EXPECT_THAT(learning_->Name("PlaceRoundPeg", false, actions_).reason(),
+              HasSubstr("nothing was shown"));
+  Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(learning_->Name("PlaceSeparator", false, actions_).reason(),
+              HasSubstr("PlaceSeparator: it was shown with (round_peg, "
+                        "round_hole), but takes (separator)"));
+}
+
+TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
+  Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(learning_->TakeChanges(actions_), SizeIs(1));
+  Seat("round_peg_2", "base.round_2");
+  EXPECT_THAT(learning_->TakeChanges(actions_), IsEmpty());
+  learning_->OnRefusal();
+  Seat("square_peg_1", "base.square_1");
+  EXPECT_THAT(learning_->TakeChanges(actions_), SizeIs(2));
+}
+
+TEST_F(LearningTest, ANewLifeGoesOnFromTheRecords) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  learning_.emplace(actions_);
+  Seat("round_peg_2", "base.round_2");
+  EXPECT_THAT(Store(), IsEmpty());
+  Seat("square_peg_2", "base.square_2");
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_EQ(records[0].name, "Action2");
+}
+
+}  // namespace
+}  // namespace cell

@@ -1,0 +1,2 @@
+cell_add_test(unit/rexd/rexd_test.cc LINK cell_rexd)
+cell_add_test(unit/rexd/rule_model_test.cc LINK cell_rexd)

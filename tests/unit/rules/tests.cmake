@@ -1,0 +1,7 @@
+cell_add_test(unit/rules/data_text_test.cc LINK cell_rules)
+cell_add_test(unit/rules/learner_test.cc LINK cell_rules)
+cell_add_test(unit/rules/operators_test.cc LINK cell_rules)
+cell_add_test(unit/rules/outcomes_test.cc LINK cell_rules)
+cell_add_test(unit/rules/ppddl_export_test.cc LINK cell_rules)
+cell_add_test(unit/rules/rule_test.cc LINK cell_rules)
+cell_add_test(unit/rules/rule_text_test.cc LINK cell_rules)
