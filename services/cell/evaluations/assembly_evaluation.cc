@@ -19,12 +19,6 @@ class AssemblyEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 40; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    AddTrials(kGroup, runs, seed, &trials);
-    return trials;
-  }
-
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
     return RunAssembly(kExecutionScript, trial.seed, deployment, roster);

@@ -23,6 +23,12 @@ void AddTrials(const std::string& group, int num, uint64_t seed,
   }
 }
 
+std::vector<Trial> Evaluation::Trials(int runs, uint64_t seed) const {
+  std::vector<Trial> trials;
+  AddTrials(name(), runs, seed, &trials);
+  return trials;
+}
+
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
   all.push_back(MakeWatchEvaluation());

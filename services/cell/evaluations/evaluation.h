@@ -57,7 +57,8 @@ class Evaluation {
   virtual std::string name() const = 0;
   virtual std::string description() const = 0;
   virtual int default_runs() const = 0;
-  virtual std::vector<Trial> Trials(int runs, uint64_t seed) const = 0;
+  /// By default one group, which has the evaluation's name.
+  virtual std::vector<Trial> Trials(int runs, uint64_t seed) const;
   virtual nlohmann::json RunTrial(const Trial& trial,
                                   const Deployment& deployment,
                                   const Roster& roster) const = 0;

@@ -24,7 +24,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kDemonstrations[] = "demonstrations";
 // Scripts of the task's demonstrators.yaml, taken in turn.
 constexpr std::array<const char*, 4> kShownScripts = {
     "assembly", "assembly_two_hands", "take_backs", "unknown_moves"};
@@ -111,12 +110,6 @@ class KeyframesEvaluation final : public Evaluation {
     return "Compare key frames with contact truth, at pose noise of 0 to 5 mm.";
   }
   int default_runs() const override { return 24; }
-
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    AddTrials(kDemonstrations, runs, seed, &trials);
-    return trials;
-  }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {

@@ -53,12 +53,6 @@ class StopsEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 24; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    AddTrials(kGroup, runs, seed, &trials);
-    return trials;
-  }
-
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
     const auto success = SuccessCriterion::Load(deployment);
