@@ -24,6 +24,7 @@
 #include "services/vtb/vtb.h"
 #include "services/vtb/world.h"
 #include "tests/sim/cabinet.h"
+#include "tests/test_folder.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -313,8 +314,7 @@ TEST_F(Articulated, AHandThatGoesOnDoesNotBreakALimit) {
 /// The shipped task with the cabinet in it besides.
 Deployment WithCabinet() {
   Deployment deployment = ShippedDeployment();
-  const auto dir = std::filesystem::path(testing::TempDir()) / "with_cabinet";
-  std::filesystem::remove_all(dir);
+  const auto dir = NewTestFolder();
   std::filesystem::copy(deployment.task_dir, dir);
   const auto insert = [&](const char* file, const std::string& after,
                           const std::string& added, const std::string& end) {

@@ -15,6 +15,7 @@
 #include "services/cell/evaluations/stop_injector.h"
 #include "tests/sim/assembling_cell.h"
 #include "tests/sim/skill_watch.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -27,8 +28,7 @@ constexpr double kStays = 0.5e-3;  // [m] that what is placed may move
 /// The shipped deployment with arms that stop at a smaller force.
 Deployment WithStopForce(const std::string& newtons) {
   Deployment deployment = ShippedDeployment();
-  const auto dir = std::filesystem::path(testing::TempDir()) / "stop_force";
-  std::filesystem::remove_all(dir);
+  const auto dir = NewTestFolder();
   std::filesystem::copy(deployment.config_dir, dir);
   std::stringstream stream;
   stream << std::ifstream(dir / "vtb.yaml").rdbuf();

@@ -19,6 +19,7 @@
 #include "common/bus/sim_bus.h"
 #include "services/cell/running/process_group.h"
 #include "services/library/content_file.h"
+#include "tests/test_folder.h"
 #include "tests/unit/keeping_cell.h"
 #include "tests/unit/stage_testing.h"
 
@@ -40,8 +41,7 @@ class LibraryDeath : public testing::Test {
  protected:
   void SetUp() override {
     EnterPrivateNetwork();
-    dir_ = fs::path(testing::TempDir()) / "LibraryDeath";
-    fs::remove_all(dir_);
+    dir_ = NewTestFolder();
     fs::create_directories(dir_ / "run");
     const Deployment shipped = ShippedDeployment();
     fs::copy(shipped.config_dir.parent_path(), dir_ / "deploy",

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "services/library/sqlite_action_store.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -119,7 +120,7 @@ class KilledStore {
 };
 
 TEST(LibraryKill, AThousandTimesCorruptsNothingAndLosesNothingAcknowledged) {
-  const fs::path dir = fs::path(testing::TempDir()) / "LibraryKill";
+  const fs::path dir = NewTestFolder();
   std::mt19937 random(7);
   size_t num_acknowledged = 0;
   int num_cut_short = 0;

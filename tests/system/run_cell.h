@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/system/shell.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -19,11 +20,7 @@ class RunCell : public testing::Test {
   static inline const std::string kCell = std::string(CELL_BIN_DIR) + "/cell";
 
   void SetUp() override {
-    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = std::filesystem::path(testing::TempDir()) /
-           (std::string(test.test_suite_name()) + "-" + test.name());
-    std::filesystem::remove_all(dir_);
-    std::filesystem::create_directories(dir_);
+    dir_ = NewTestFolder();
     // The demos of other tests are not this one's.
     setenv("XDG_RUNTIME_DIR", (dir_ / "runtime").c_str(), 1);
   }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "common/config/deployment.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -18,11 +19,7 @@ class ChangedDeployment {
  public:
   explicit ChangedDeployment(const Deployment& original)
       : deployment_(original) {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    deployment_.task_dir = std::filesystem::path(testing::TempDir()) /
-                           test->test_suite_name() / test->name();
-    std::filesystem::remove_all(deployment_.task_dir);
-    std::filesystem::create_directories(deployment_.task_dir.parent_path());
+    deployment_.task_dir = NewTestFolder();
     std::filesystem::copy(original.task_dir, deployment_.task_dir,
                           std::filesystem::copy_options::recursive);
   }

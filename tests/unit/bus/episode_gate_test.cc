@@ -73,8 +73,9 @@ TEST_F(EpisodeGateTest, NothingIsBeforeAnEpisodeThatIsJoined) {
 
 TEST_F(EpisodeGateTest, AnUnknownPhaseIsNothingAndChangesNothing) {
   Hear(episode_t::START, 1, 8000);
-  for (const int8_t phase : {-1, 3, 7, 127, -128}) {
-    EXPECT_EQ(Hear(phase, 2, 90'000), std::nullopt) << int{phase};
+  for (const int phase : {-1, 3, 7, 127, -128}) {
+    EXPECT_EQ(Hear(static_cast<int8_t>(phase), 2, 90'000), std::nullopt)
+        << phase;
   }
   EXPECT_EQ(Hear(episode_t::RUNNING, 1), EpisodeEvent::kRuns);
   EXPECT_FALSE(gate_.IsBefore(8000));

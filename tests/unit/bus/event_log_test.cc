@@ -11,6 +11,7 @@
 #include "common/bus/replay.h"
 #include "common/bus/run_log.h"
 #include "common/bus/sim_bus.h"
+#include "tests/test_folder.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -18,12 +19,7 @@ namespace {
 
 class EventLog : public testing::Test {
  protected:
-  void SetUp() override {
-    dir_ = std::filesystem::path(testing::TempDir()) /
-           testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(dir_);
-    std::filesystem::create_directories(dir_);
-  }
+  void SetUp() override { dir_ = NewTestFolder(); }
   std::filesystem::path Path() const { return dir_ / "cell.lcmlog"; }
   std::vector<std::string> ReadChannels() {
     EventLogReader reader(Path());

@@ -1,7 +1,6 @@
 // Live services on a wire in memory that delays, loses, doubles and shuffles:
 // their journal makes each of them replay byte for byte.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <random>
@@ -12,6 +11,7 @@
 #include "common/bus/live_node.h"
 #include "common/bus/live_replay.h"
 #include "common/bus/run_log.h"
+#include "tests/test_folder.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -35,12 +35,6 @@ struct WireFaults {
 
 class LiveTest : public testing::Test {
  protected:
-  LiveTest()
-      : dir_(std::filesystem::temp_directory_path() /
-             ("live_test-" + std::to_string(getpid()) +
-              testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(dir_);
-  }
   ~LiveTest() override { std::filesystem::remove_all(dir_); }
 
   // Runs the toy cell; "second" dies at `death` and starts again.
@@ -117,7 +111,7 @@ class LiveTest : public testing::Test {
     writer.Flush();
   }
 
-  std::filesystem::path dir_;
+  std::filesystem::path dir_ = NewTestFolder();
   std::map<std::string, int64_t> num_lost_;
 };
 

@@ -12,6 +12,7 @@
 #include "common/imaging/png_file.h"
 #include "services/camera_set/camera_set.h"
 #include "services/camera_set/recorded_device.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -27,11 +28,7 @@ using testing::ThrowsMessage;
 class Recorded : public testing::Test {
  protected:
   Recorded() {
-    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    dir_ =
-        fs::path(testing::TempDir()) / (std::string("Recorded-") + test.name());
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    dir_ = NewTestFolder();
     Write("camera.yaml",
           "{fx: 590, fy: 610, cx: 1, cy: 0.5, depth_unit_mm: 1}\n");
     WriteFrame("a", 1000);

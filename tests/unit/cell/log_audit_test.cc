@@ -20,6 +20,7 @@
 #include "services/cell/logs/channel_types.h"
 #include "services/cell/logs/stock_reader.h"
 #include "services/recorder/recorder.h"
+#include "tests/test_folder.h"
 #include "tests/unit/toy_services.h"
 
 namespace cell {
@@ -69,11 +70,7 @@ size_t NumIn(const std::vector<Event>& events, const std::vector<Event>& all) {
 class LogAuditTest : public testing::Test {
  protected:
   void SetUp() override {
-    dir_ = fs::path(testing::TempDir()) /
-           (std::string("LogAudit-") +
-            testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    dir_ = NewTestFolder();
     Record();
   }
   void TearDown() override {

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "services/cell/evaluations/sec_groups.h"
 #include "services/cell/evaluations/sec_recordings.h"
 #include "services/cell/evaluations/sec_statements.h"
+#include "tests/test_folder.h"
 
 namespace cell::cli {
 namespace {
@@ -138,12 +138,6 @@ TEST(SecGroups, AreOneModelPerManipulationWithoutNoise) {
 
 class SecRecordings : public testing::Test {
  protected:
-  SecRecordings() {
-    const char* scratch = std::getenv("TEST_TMPDIR");
-    folder_ = fs::path(scratch != nullptr ? scratch : testing::TempDir()) /
-              "sec_recordings";
-    fs::create_directories(folder_);
-  }
   ~SecRecordings() override { fs::remove_all(folder_); }
 
   std::string Write(const std::string& name, const std::string& rows) {
@@ -152,7 +146,7 @@ class SecRecordings : public testing::Test {
     return path.string();
   }
 
-  fs::path folder_;
+  fs::path folder_ = NewTestFolder();
 };
 
 TEST_F(SecRecordings, TakeTheLabelOfTheMostSimilarOther) {

@@ -14,6 +14,7 @@
 #include "common/imaging/depth_codec.h"
 #include "common/imaging/png_file.h"
 #include "common/imaging/rgbd_frame.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 namespace {
@@ -226,15 +227,9 @@ TEST(RgbdFrame, OfFlippedBytesIsAPictureOrNothing) {
 
 class PngFile : public testing::Test {
  protected:
-  PngFile() {
-    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = std::filesystem::path(testing::TempDir()) /
-           (std::string("PngFile-") + test.name());
-    std::filesystem::create_directories(dir_);
-  }
   ~PngFile() override { std::filesystem::remove_all(dir_); }
 
-  std::filesystem::path dir_;
+  std::filesystem::path dir_ = NewTestFolder();
 };
 
 TEST_F(PngFile, ReadsAsItWasWritten) {

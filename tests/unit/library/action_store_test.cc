@@ -15,6 +15,7 @@
 #include "services/library/record_json.h"
 #include "services/library/sqlite_action_store.h"
 #include "services/library/sqlite_schema.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -55,12 +56,7 @@ std::vector<std::string> NamesIn(const ActionStore& store) {
 class StoreFile : public testing::Test {
  protected:
   void SetUp() override {
-    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(test.test_suite_name()) + "-" + test.name();
-    std::replace(name.begin(), name.end(), '/', '-');
-    dir_ = fs::path(testing::TempDir()) / name;
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    dir_ = NewTestFolder();
     file_ = dir_ / "library.db";
   }
   void TearDown() override { fs::remove_all(dir_); }

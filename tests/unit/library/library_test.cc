@@ -18,6 +18,7 @@
 #include "common/bus/stepper.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
+#include "tests/test_folder.h"
 #include "tests/unit/keeping_cell.h"
 #include "tests/unit/stage_testing.h"
 
@@ -281,10 +282,7 @@ TEST(LibraryService, RefusesAStoreOfAnotherTaskAndSaysWhatToDo) {
 class RecordedLibrary : public testing::Test {
  protected:
   void SetUp() override {
-    const auto& test = *testing::UnitTest::GetInstance()->current_test_info();
-    dir_ = fs::path(testing::TempDir()) / test.name();
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
+    dir_ = NewTestFolder();
     recorded_ = repeated_ = ShippedDeployment();
     recorded_.run_dir = dir_;
     repeated_.repeated_dir = dir_;

@@ -78,21 +78,21 @@ class ReachableParts : public testing::TestWithParam<std::string> {
   // Why the arm cannot do with the part what it is for, from home to the end of
   // the way; empty if it can.
   std::string WhyNot(const ArmLayout& arm, const Poses& poses) const {
-    using Kind = MotionRequest::Kind;
     const Site& site = *task_.parts.FindSite(kSites.at(part_));
     std::optional<PlaceTarget> target;
     if (arm.X_FS) target = TargetAt(site, poses.at(site.host));
     if (target && task_.parts.FindThread(site.type)) {
       target->turn = -settings_.screwing.tight.max_angle;
     }
-    MotionRequest take = Request(Kind::kGrasp, arm, poses, HomePosture(arm));
+    MotionRequest take =
+        Request(MotionRequest::Kind::kGrasp, arm, poses, HomePosture(arm));
     take.target = target;
     const MotionPlan pick = search_.Find(take);
     if (!pick) return pick.reason;
     const GraspChoice& grasp = pick.grasp;
-    MotionRequest put =
-        Request(target ? Kind::kPlace : Kind::kSetDown, arm, poses,
-                {grasp.q_approach, grasp.grip, grasp.width});
+    MotionRequest put = Request(
+        target ? MotionRequest::Kind::kPlace : MotionRequest::Kind::kSetDown,
+        arm, poses, {grasp.q_approach, grasp.grip, grasp.width});
     put.arms[arm.name].held = ArmScene::Held{part_, grasp.X_OG.inverse()};
     put.target = target;
     put.area = arm.exchange;

@@ -131,6 +131,27 @@ TEST(Purity, CoresTouchNeitherBusClockThreadFileNorChance) {
   }
 }
 
+// Tests of a fixture run at the same time: a folder that two share is gone
+// while one reads it.
+TEST(Purity, TestsMakeFoldersOnlyByNewTestFolder) {
+  const std::vector<std::string> banned = {std::string("Temp") + "Dir(",
+                                           std::string("temp_") + "directory"};
+  const fs::path tests = fs::path(CELL_SOURCE_DIR) / "tests";
+  int num_files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(tests)) {
+    const fs::path& path = entry.path();
+    if (path.extension() != ".cc" && path.extension() != ".h") continue;
+    ++num_files;
+    if (path.filename() == "test_folder.h") continue;
+    const std::string text = TextOf(fs::relative(path, CELL_SOURCE_DIR));
+    for (const std::string& token : banned) {
+      EXPECT_EQ(text.find(token), std::string::npos)
+          << path << " uses " << token;
+    }
+  }
+  EXPECT_GT(num_files, 100);
+}
+
 TEST(Purity, NoServiceAndNoLibraryKnowsATask) {
   const std::set<std::string> task_words = {
       "cranfield", "peg",   "pegs",  "plate", "plates",   "faceplate",
