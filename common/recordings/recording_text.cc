@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/bus/decode.h"
 #include "common/config/decimal.h"
 #include "common/geometry/pose.h"
 #include "common/text/printable.h"
@@ -19,8 +20,7 @@ constexpr std::string_view kFormat = "cell-recording";
 constexpr std::string_view kVersion = "1";
 constexpr std::string_view kUndone = "undone";
 constexpr size_t kMaxBodies = 1000;
-constexpr int64_t kMaxUtime = int64_t{1} << 61;  // as messages have it
-constexpr int kQuaternionDecimals = 5;           // PoseFromMessage() wants 1e-4
+constexpr int kQuaternionDecimals = 5;  // PoseFromMessage() wants 1e-4
 
 using Words = std::vector<std::string_view>;
 
@@ -113,7 +113,7 @@ class Reader {
 
   int64_t Utime(std::string_view word) const {
     const auto utime = Number<int64_t>(word, "time");
-    if (utime < 0 || utime > kMaxUtime) {
+    if (!IsUtime(utime)) {
       Fail(fmt::format("time {} is not between 0 and {} us", utime, kMaxUtime));
     }
     return utime;

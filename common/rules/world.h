@@ -50,7 +50,6 @@ class World {
   int first(int symbol) const { return first_[static_cast<size_t>(symbol)]; }
   int num_places(int symbol) const;
   int num_bits() const { return num_bits_; }
-  int num_values() const { return num_values_; }
   /// The objects of the symbol's atom at a place.
   std::vector<int> ObjectsAt(int symbol, int place) const;
 

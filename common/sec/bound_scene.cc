@@ -7,7 +7,7 @@ namespace cell {
 bool BoundScene::Touches(const Partner& partner) const {
   switch (partner.kind) {
     case Partner::Kind::kRole:
-      return TouchesPart(PartOf(roles_[partner.role]));
+      return TouchesPart(words_.PartOf(roles_[partner.role]));
     case Partner::Kind::kObject:
       return TouchesPart(partner.name);
     case Partner::Kind::kType:
@@ -30,19 +30,13 @@ bool BoundScene::MustHold(const Literal& literal) const {
   return cell::MustHold(literal, roles_, sensed_.state, words_.vocabulary);
 }
 
-std::string BoundScene::PartOf(int object) const {
-  const std::string& name = words_.vocabulary.objects()[object].name;
-  const Site* site = words_.parts.FindSite(name);
-  return site ? site->host : name;
-}
-
 bool BoundScene::IsInRole(const std::string& part) const {
   return std::ranges::any_of(
-      roles_, [&](const int object) { return PartOf(object) == part; });
+      roles_, [&](const int object) { return words_.PartOf(object) == part; });
 }
 
 bool BoundScene::TouchesPart(const std::string& part) const {
-  return Touch(sensed_.frame.relations, PartOf(roles_[moved_]), part);
+  return Touch(sensed_.frame.relations, words_.PartOf(roles_[moved_]), part);
 }
 
 }  // namespace cell

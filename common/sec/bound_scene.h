@@ -26,7 +26,6 @@ class BoundScene {
   bool MustHold(const Literal& literal) const;
 
  private:
-  std::string PartOf(int object) const;
   bool IsInRole(const std::string& part) const;
   bool TouchesPart(const std::string& part) const;
 

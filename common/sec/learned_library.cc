@@ -141,7 +141,7 @@ class Model final : public SecModel {
     std::set<std::string> explained = {manipulation.part};
     for (const Partner& partner : partners_) {
       explained.insert(partner.kind == Partner::Kind::kRole
-                           ? PartOf(binding[partner.role])
+                           ? words_->PartOf(binding[partner.role])
                            : partner.name);
     }
     const auto has_changed = [&](const std::string& name) {
@@ -188,10 +188,6 @@ class Model final : public SecModel {
 
   const std::string& ObjectName(int object) const {
     return words_->vocabulary.objects()[static_cast<size_t>(object)].name;
-  }
-  std::string PartOf(int object) const {
-    const Site* site = words_->parts.FindSite(ObjectName(object));
-    return site ? site->host : ObjectName(object);
   }
   Roles RolesOf(const Binding& binding) const {
     Roles roles;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "common/parts/part_table.h"
 #include "common/relational/vocabulary.h"
 
@@ -9,6 +11,10 @@ namespace cell {
 struct SceneWords {
   Vocabulary vocabulary;
   PartTable parts;
+
+  /// The name of the part that an object is; for a site, of the part that has
+  /// the site.
+  const std::string& PartOf(int object) const;
 };
 
 }  // namespace cell

@@ -82,7 +82,7 @@ class Lifter {
     std::set<std::string> named = {manipulation_.part};
     for (size_t i = 1; i < roles.size(); ++i) {
       partners.insert({Partner::Kind::kRole, i, ""});
-      named.insert(PartOf(roles[i]));
+      named.insert(words_.PartOf(roles[i]));
     }
     for (const Part& part : words_.parts.parts()) {
       if (named.contains(part.name)) continue;
@@ -93,12 +93,6 @@ class Lifter {
       }
     }
     return partners;
-  }
-
-  std::string PartOf(int object) const {
-    const std::string& name = words_.vocabulary.objects()[object].name;
-    const Site* site = words_.parts.FindSite(name);
-    return site ? site->host : name;
   }
 
   bool IsTouched(const std::string& part) const {
@@ -192,7 +186,7 @@ class Lifter {
     const Part* part = words_.parts.Find(name);
     if (part == nullptr) return "";
     for (size_t i = 1; i < roles.size(); ++i) {
-      if (PartOf(roles[i]) != name) continue;
+      if (words_.PartOf(roles[i]) != name) continue;
       const Object& object = words_.vocabulary.objects()[roles[i]];
       return words_.vocabulary.types().name(object.type);
     }

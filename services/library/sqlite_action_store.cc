@@ -90,9 +90,9 @@ ActionRecord RecordFrom(const SQLite::Statement& row,
   const int64_t id = row.getColumn(0).getInt64();
   const std::string where = fmt::format("{}:action {}", file.string(), id);
   try {
-    const auto json =
+    const auto content =
         nlohmann::json::parse(row.getColumn(1).getString(), nullptr, false);
-    ActionRecord record = RecordFromJson(json, where);
+    ActionRecord record = RecordFromJson(content, where);
     if (record.id != id) throw std::invalid_argument(where + ".id: is another");
     return record;
   } catch (const std::invalid_argument& e) {

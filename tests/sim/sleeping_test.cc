@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "services/vtb/world.h"
+#include "tests/sim/cranfield_world.h"
 
 namespace cell {
 
@@ -26,17 +27,6 @@ using testing::IsEmpty;
 constexpr char kHand[] = "hand_right";
 constexpr int kStepsPerTick = 8;
 constexpr double kTick = 0.008;  // [s]
-
-World MakeWorld(bool sleep) {
-  const std::string task = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
-  return World(PartTable::FromConfig(Config::Load(task + "parts.yaml")),
-               CellLayout::FromConfig(Config::Load(task + "cell.yaml")),
-               {.sleep = sleep});
-}
-
-Isometry3d Upright(double x, double y, double z) {
-  return Isometry3d(Eigen::Translation3d(x, y, z));
-}
 
 Isometry3d Shifted(Isometry3d X, const Vector3d& by) {
   X.translation() += by;
@@ -64,23 +54,10 @@ class Sleeping : public testing::Test {
     for (World* world : Both()) world->Place(part, X_WO);
   }
   void Seat(const std::string& part, const std::string& site_name) {
-    const Site& site = *world_.table().FindSite(site_name);
-    Place(part, world_.PoseOf(site.host) * site.X_HS);
+    for (World* world : Both()) cell::Seat(*world, part, site_name);
   }
   void SeatAll() {
-    for (const auto& [part, site] :
-         std::vector<std::pair<std::string, std::string>>{
-             {"round_peg_1", "base.round_1"},
-             {"round_peg_2", "base.round_2"},
-             {"square_peg_1", "base.square_1"},
-             {"square_peg_2", "base.square_2"},
-             {"shaft", "base.shaft"},
-             {"separator", "base.separator"},
-             {"pendulum", "base.pendulum"},
-             {"head", "pendulum.head"},
-             {"face_plate", "base.face_plate"}}) {
-      Seat(part, site);
-    }
+    for (World* world : Both()) cell::SeatAll(*world);
   }
   void Run(int num_steps) {
     for (World* world : Both()) world->Run(num_steps);
@@ -140,8 +117,8 @@ class Sleeping : public testing::Test {
     return shift;
   }
 
-  World world_ = MakeWorld(true);
-  World awake_ = MakeWorld(false);
+  World world_ = MakeWorld({.sleep = true});
+  World awake_ = MakeWorld({.sleep = false});
 };
 
 bool AreSame(const std::vector<BodyPose>& a, const std::vector<BodyPose>& b) {
@@ -460,7 +437,7 @@ TEST_F(Sleeping, ASnapshotTakenInMidSleepContinuesBitForBit) {
   EXPECT_TRUE(AreSame(first, world_.Bodies()));
   EXPECT_EQ(Asleep(), asleep);
 
-  World other = MakeWorld(true);
+  World other = MakeWorld({.sleep = true});
   other.Restore(snapshot);
   go_on(other);
   EXPECT_TRUE(AreSame(first, other.Bodies()));
@@ -468,7 +445,7 @@ TEST_F(Sleeping, ASnapshotTakenInMidSleepContinuesBitForBit) {
 
 TEST_F(Sleeping, ARestoredWorldReportsWhatItsSleepersTouch) {
   Run(1000);
-  World other = MakeWorld(true);
+  World other = MakeWorld({.sleep = true});
   other.Restore(world_.Save());
   const auto contacts = world_.Contacts(), restored = other.Contacts();
   ASSERT_EQ(contacts.size(), restored.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "services/vtb/placement_sampler.h"
+#include "tests/sim/cranfield_world.h"
 
 namespace cell {
 
@@ -18,16 +19,6 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-World MakeWorld() {
-  const std::string task = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
-  return World(PartTable::FromConfig(Config::Load(task + "parts.yaml")),
-               CellLayout::FromConfig(Config::Load(task + "cell.yaml")), {});
-}
-
-Isometry3d Upright(double x, double y, double z) {
-  return Isometry3d(Eigen::Translation3d(x, y, z));
-}
 
 /// Everything on the table, well apart.
 void Scatter(World& world) {
@@ -40,27 +31,6 @@ void Scatter(World& world) {
   world.Place("pendulum", Upright(0.45, -0.45, 0));
   world.Place("head", Upright(0.35, -0.3, 0));
   world.Place("face_plate", Upright(0.1, -0.5, 0));
-}
-
-void Seat(World& world, const std::string& part, const std::string& name) {
-  const Site& site = *world.table().FindSite(name);
-  world.Place(part, world.PoseOf(site.host) * site.X_HS);
-}
-
-void SeatAll(World& world) {
-  for (const auto& [part, site] :
-       std::vector<std::pair<std::string, std::string>>{
-           {"round_peg_1", "base.round_1"},
-           {"round_peg_2", "base.round_2"},
-           {"square_peg_1", "base.square_1"},
-           {"square_peg_2", "base.square_2"},
-           {"shaft", "base.shaft"},
-           {"separator", "base.separator"},
-           {"pendulum", "base.pendulum"},
-           {"head", "pendulum.head"},
-           {"face_plate", "base.face_plate"}}) {
-    Seat(world, part, site);
-  }
 }
 
 double LargestShift(const std::vector<BodyPose>& a,

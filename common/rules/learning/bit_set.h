@@ -26,9 +26,6 @@ class BitSet {
   void Add(int i) {
     words_[static_cast<size_t>(i) / 64] |= uint64_t{1} << (i % 64);
   }
-  void Remove(int i) {
-    words_[static_cast<size_t>(i) / 64] &= ~(uint64_t{1} << (i % 64));
-  }
 
   BitSet& operator&=(const BitSet& other) {
     for (size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];

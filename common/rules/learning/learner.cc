@@ -100,7 +100,6 @@ void Learner::Add(const Experience& experience) {
   }
   search->Add(experience);
   is_new_[experience.act.action] = true;
-  ++num_experiences_;
 }
 
 void Learner::Learn() {

@@ -33,7 +33,6 @@ class Learner {
   std::vector<int> RuleCounts() const;
   /// S(R), eq. (1).
   double Score() const;
-  int num_experiences() const { return num_experiences_; }
   /// The experiences of an action that its rules were learned from; nullptr if
   /// there are none.
   const RuleSearch* SearchOf(int action) const;
@@ -46,7 +45,6 @@ class Learner {
   LearnerOptions options_;
   std::map<int, std::unique_ptr<RuleSearch>> searches_;  // by action
   std::map<int, bool> is_new_;
-  int num_experiences_ = 0;
 };
 
 /// The rule of the search as a rule of its own.

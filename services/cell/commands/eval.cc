@@ -5,18 +5,15 @@
 #include <iostream>
 #include <memory>
 #include <set>
-#include <stdexcept>
 
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
-#include "common/node/run_service.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/eval_sec.h"
 #include "services/cell/evaluations/evaluation.h"
-#include "services/cell/evaluations/job_pool.h"
+#include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/row_store.h"
-#include "services/cell/running/progress.h"
 #include "services/cell/running/task_check.h"
 
 namespace cell::cli {
@@ -56,47 +53,13 @@ CellFiles FilesFor(const EvalOptions& options) {
   return files;
 }
 
-void RunMissing(const EvalOptions& options, const CellFiles& files,
-                const std::vector<Trial>& trials, RowStore* rows) {
-  std::vector<size_t> missing;
-  for (size_t i = 0; i < trials.size(); ++i) {
-    if (!rows->Has(KeyOf(trials[i]))) missing.push_back(i);
-  }
-  Progress progress;
-  size_t num_done = 0;
-  const auto& stop = StopOnSignals();
-  const auto show_and_go_on = [&] {
-    progress.Show(fmt::format("{}/{} runs, {:.0f} s", num_done, missing.size(),
-                              progress.ElapsedSeconds()));
-    return !stop;
-  };
-  show_and_go_on();
-  RunJobs(
-      missing, options.jobs,
-      [&](size_t i) {
-        return options.evaluation
-            ->RunTrial(trials[i], files.deployment, files.roster)
-            .dump();
-      },
-      [&](size_t i, const std::string& result) {
-        ++num_done;
-        json row = json::parse(result, nullptr, false);
-        if (!row.is_object()) {
-          progress.Clear();
-          std::cerr << KeyOf(trials[i]) << ": no result\n";
-          return;
-        }
-        row["group"] = trials[i].group;
-        row["seed"] = trials[i].seed;
-        rows->Append(KeyOf(trials[i]), row);
-      },
-      show_and_go_on);
-  if (!stop) return;
-  throw std::runtime_error(
-      fmt::format("stopped; {} of {} runs are in {}: repeat the command with "
-                  "--resume to run the others",
-                  trials.size() - missing.size() + num_done, trials.size(),
-                  rows->path().string()));
+json RunTrial(const EvalOptions& options, const CellFiles& files,
+              const Trial& trial) {
+  json row =
+      options.evaluation->RunTrial(trial, files.deployment, files.roster);
+  row["group"] = trial.group;
+  row["seed"] = trial.seed;
+  return row;
 }
 
 json ToJson(const Measure& measure, uint64_t seed) {
@@ -194,11 +157,15 @@ int RunEval(const EvalOptions& options) {
                         options.seed)
           : options.rows_file;
   RowStore store(path, options.is_resumed);
-  RunMissing(options, files, trials, &store);
+  std::vector<std::string> keys;
+  for (const Trial& trial : trials) keys.push_back(KeyOf(trial));
+  DoMissingRuns(
+      keys, options.jobs,
+      [&](size_t i) { return RunTrial(options, files, trials[i]); }, &store);
 
   std::vector<json> rows;
-  for (const Trial& trial : trials) {
-    if (store.Has(KeyOf(trial))) rows.push_back(store.At(KeyOf(trial)));
+  for (const std::string& key : keys) {
+    if (store.Has(key)) rows.push_back(store.At(key));
   }
   const auto measures = options.evaluation->Measures(rows);
   const auto figures = options.evaluation->Figures(rows);

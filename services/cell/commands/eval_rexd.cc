@@ -4,18 +4,15 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
-#include "common/node/run_service.h"
 #include "common/rexd/rexd_run.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/rules_files.h"
-#include "services/cell/evaluations/job_pool.h"
+#include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/row_store.h"
-#include "services/cell/running/progress.h"
 
 namespace cell::cli {
 namespace {
@@ -158,39 +155,6 @@ std::string PlotOf(const EvalRexdOptions& options) {
   return text + "unset multiplot\n";
 }
 
-void RunMissingTrials(const EvalRexdOptions& options,
-                      const rexd::RexdTask& task,
-                      const std::vector<RexdTrial>& trials, RowStore* rows) {
-  std::vector<size_t> missing;
-  for (size_t i = 0; i < trials.size(); ++i) {
-    if (!rows->Has(trials[i].Key())) missing.push_back(i);
-  }
-  Progress progress;
-  size_t num_done = 0;
-  const auto& stop = StopOnSignals();
-  const auto show_and_go_on = [&] {
-    progress.Show(fmt::format("{}/{} runs, {:.0f} s", num_done, missing.size(),
-                              progress.ElapsedSeconds()));
-    return !stop;
-  };
-  show_and_go_on();
-  RunJobs(
-      missing, options.jobs,
-      [&](size_t i) { return RunTrial(task, options, trials[i]).dump(); },
-      [&](size_t i, const std::string& result) {
-        ++num_done;
-        const json row = json::parse(result, nullptr, false);
-        if (row.is_object()) rows->Append(trials[i].Key(), row);
-      },
-      show_and_go_on);
-  progress.Clear();
-  if (!stop) return;
-  throw std::runtime_error(
-      fmt::format("stopped; the runs so far are in {}: repeat the command with "
-                  "--resume to run the others",
-                  rows->path().string()));
-}
-
 int EvalRexd(const EvalRexdOptions& options) {
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherTable);
@@ -208,7 +172,11 @@ int EvalRexd(const EvalRexdOptions& options) {
                                    options.teacher, options.seed)
                      : options.rows_file,
                  options.is_resumed);
-  RunMissingTrials(options, task, trials, &store);
+  std::vector<std::string> keys;
+  for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
+  DoMissingRuns(
+      keys, options.jobs,
+      [&](size_t i) { return RunTrial(task, options, trials[i]); }, &store);
   std::string csv = "success,episode";
   for (const char* count : kCounts) csv += fmt::format(",{0},{0}_sd", count);
   csv += ",goal_reached\n";

@@ -99,11 +99,14 @@ void RunFolder::Fill(const Deployment& source) {
   const fs::path frames = FramesElsewhere(source);
   const std::string task = source.task_dir.filename().string();
   deployment = DeploymentIn(path, task);
-  fs::create_directories(deployment.task_dir.parent_path());
   constexpr auto kDeep = fs::copy_options::recursive;
   fs::copy(source.config_dir, deployment.config_dir, kDeep);
-  fs::copy(source.task_dir, deployment.task_dir, kDeep);
-  fs::remove_all(deployment.task_dir / kRecordingsFolder);  // not for a run
+  fs::create_directories(deployment.task_dir);
+  for (const auto& entry : fs::directory_iterator(source.task_dir)) {
+    const fs::path name = entry.path().filename();
+    if (name == kRecordingsFolder) continue;  // a run does not need them
+    fs::copy(entry.path(), deployment.task_dir / name, kDeep);
+  }
   if (!frames.empty()) KeepFrames(frames, deployment);
   if (fs::is_directory(source.types_dir)) {
     fs::create_directories(deployment.types_dir);
