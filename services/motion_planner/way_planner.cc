@@ -17,6 +17,7 @@ constexpr double kReducedClearance =
 constexpr double kTouching = 1e-4;   // [m]
 constexpr int kMaxTouching = 12;     // pairs
 constexpr double kMinStep = 0.0027;  // [m] of the fingertips between checks
+constexpr double kSame = 1e-6;       // [m]
 
 // Straight, or through one via, or through two.
 std::optional<std::vector<Joints>> UpAndOver(const Joints& from,
@@ -80,6 +81,10 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
   // It may begin and end nearer to the border, but goes no further out.
   const double border =
       std::max(OverBorder(layout, from.q), OverBorder(layout, to));
+  // A reduced clearance does not count towards other arms: an arm stops where
+  // it would come nearer to them.
+  const double to_others =
+      scene.DistanceToOthers(arm, from, motion.clearance) - kSame;
   std::string reason;
   // The arm is already there: what is near must not keep it from leaving.
   for (const double clearance :
@@ -97,7 +102,13 @@ JointPath PlanWay(const ArmScene& scene, const std::string& arm,
       if (OverBorder(layout, q) > border) {
         return "the gripper would leave its workspace";
       }
-      return ask(q);
+      if (auto why = ask(q)) return why;
+      const bool is_near_other =
+          clearance < to_others &&
+          scene.DistanceToOthers(arm, {q, from.grip, from.opening}, to_others) <
+              to_others;
+      if (is_near_other) return "another arm would be in the way";
+      return std::nullopt;
     };
     if (auto waypoints = UpAndOver(from.q, to, vias, why_blocked, params)) {
       return *std::move(waypoints);

@@ -56,6 +56,35 @@ class MotionSearching : public testing::Test {
   const ArmLayout& arm_ = cell_.Arm("right");
 };
 
+// An arm stops where it would come nearer to another one than this.
+TEST_F(MotionSearching, AWayFromBesideAnotherArmComesNoNearerToIt) {
+  Joints beside, other;
+  beside << -0.253, -2.010, 1.468, -1.231, -1.440, -0.879;
+  other << -0.462, -1.484, 1.328, -1.415, -1.571, 0.136;
+  const ArmPosture right{other, "two_finger_pinch", 0.046};
+  ArmScene scene(cell_.task.parts, cell_.task.layout);
+  scene.SetPosture("right", right);
+  ArmPosture posture{beside, "two_finger_pinch", 0.055};
+  constexpr double kFar = 0.02;
+  const double before = scene.DistanceToOthers("left", posture, kFar);
+  ASSERT_LT(before, 0.008);
+  MotionRequest request = cell_.Request(Kind::kWay, "left", posture);
+  request.arms["right"].posture = right;
+  request.goal = left_.home;
+  const MotionPlan plan = Find(request);
+  ASSERT_TRUE(plan) << plan.reason;
+  double nearest = kFar;
+  for (size_t i = 1; i < plan.waypoints.size(); ++i) {
+    for (const double share : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9}) {
+      posture.q = plan.waypoints[i - 1] +
+                  share * (plan.waypoints[i] - plan.waypoints[i - 1]);
+      nearest =
+          std::min(nearest, scene.DistanceToOthers("left", posture, kFar));
+    }
+  }
+  EXPECT_GE(nearest, before - 1e-4);
+}
+
 TEST_F(MotionSearching, WhatCanBeMovedLeavesAPartWithinReach) {
   EXPECT_TRUE(cell_.IsReachable("round_peg_1", "right"));
   // All around it; none comes between the fingers.
