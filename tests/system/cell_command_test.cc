@@ -245,6 +245,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "plan",
                               "rules",
                               "rules learn",
+                              "rules record",
                               "rules show",
                               "rules export",
                               "eval rules",
