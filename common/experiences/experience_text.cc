@@ -33,8 +33,7 @@ rules::WorldState WithoutStaticFacts(rules::WorldState state,
   for (int i = w.num_constants(); i < w.num_objects(); ++i) {
     const Object& object =
         vocabulary.objects()[static_cast<size_t>(world.ObjectOf(i))];
-    const int symbol =
-        *w.symbols().Find(vocabulary.types().name(object.type));
+    const int symbol = *w.symbols().Find(vocabulary.types().name(object.type));
     rules::World::Set(&state, w.PlaceOf(symbol, std::vector{i}), true);
   }
   return state;
@@ -50,9 +49,9 @@ class TextReader {
       const auto object = world.vocabulary().FindObject(name);
       if (!object) {
         const auto& objects = world.vocabulary().objects();
-        Fail(name, fmt::format("the task has no object '{}'{}", name,
-                               NamesInstead(name, NamesIn(objects,
-                                                          &Object::name))));
+        Fail(name,
+             fmt::format("the task has no object '{}'{}", name,
+                         NamesInstead(name, NamesIn(objects, &Object::name))));
       }
       objects_.push_back(*object);
     }
@@ -60,8 +59,7 @@ class TextReader {
 
   GroundAction ToAction(const rules::GroundAct& act) const {
     GroundAction action{world_.ActionOf(act.action), {}};
-    const Action& lifted =
-        world_.actions()[static_cast<size_t>(action.action)];
+    const Action& lifted = world_.actions()[static_cast<size_t>(action.action)];
     for (size_t i = 0; i < act.arguments.size(); ++i) {
       const int object = objects_[static_cast<size_t>(act.arguments[i])];
       if (!world_.vocabulary().IsOf(object, lifted.arguments[i].type)) {
@@ -76,8 +74,7 @@ class TextReader {
     const Vocabulary& vocabulary = world_.vocabulary();
     State result(vocabulary.num_atoms());
     for (size_t p = 0; p < vocabulary.predicates().size(); ++p) {
-      const auto symbol =
-          from_.symbols().Find(vocabulary.predicates()[p].name);
+      const auto symbol = from_.symbols().Find(vocabulary.predicates()[p].name);
       if (!symbol) continue;
       for (int i = 0; i < from_.num_places(*symbol); ++i) {
         const int place = from_.first(*symbol) + i;
@@ -92,10 +89,9 @@ class TextReader {
  private:
   int AtomAt(int predicate, int symbol, int place) const {
     const std::vector<int> there = from_.ObjectsAt(symbol, place);
-    const auto& types =
-        world_.vocabulary()
-            .predicates()[static_cast<size_t>(predicate)]
-            .argument_types;
+    const auto& types = world_.vocabulary()
+                            .predicates()[static_cast<size_t>(predicate)]
+                            .argument_types;
     std::vector<int> objects;
     for (size_t i = 0; i < there.size(); ++i) {
       objects.push_back(objects_[static_cast<size_t>(there[i])]);
@@ -143,15 +139,14 @@ std::string ToText(std::span<const rules::Experience> experiences,
 std::vector<rules::Experience> ReadExperiences(const std::string& text,
                                                const std::string& file,
                                                const RuleWorld& world) {
-  const rules::ExperienceSet set = rules::ParseExperiences(
-      text, file, world.world()->shared_symbols());
+  const rules::ExperienceSet set =
+      rules::ParseExperiences(text, file, world.world()->shared_symbols());
   const TextReader reader(text, file, world, *set.world);
   std::vector<rules::Experience> experiences;
   for (const rules::Experience& experience : set.experiences) {
-    experiences.push_back(
-        world.ToExperience(reader.ToState(experience.before),
-                           reader.ToAction(experience.act),
-                           reader.ToState(experience.after)));
+    experiences.push_back(world.ToExperience(reader.ToState(experience.before),
+                                             reader.ToAction(experience.act),
+                                             reader.ToState(experience.after)));
   }
   return experiences;
 }

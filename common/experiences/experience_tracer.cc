@@ -22,8 +22,8 @@ void ExperienceTracer::Reversed(const GroundAction& action,
 }
 
 void ExperienceTracer::Moved(int64_t pick_key_frame, int64_t place_key_frame) {
-  manipulations_.push_back({std::nullopt, pick_key_frame, place_key_frame,
-                            false});
+  manipulations_.push_back(
+      {std::nullopt, pick_key_frame, place_key_frame, false});
 }
 
 void ExperienceTracer::Failed(const GroundAction& action, int64_t begin_utime,

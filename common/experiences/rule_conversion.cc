@@ -74,8 +74,8 @@ class Translator {
   void Refuse(const rules::Literal& literal, const std::string& why) {
     if (refusal_) return;
     refusal_ = fmt::format(
-        "'{}' {}",
-        rules::ToText(literal, rule_, world_.world()->symbols()), why);
+        "'{}' {}", rules::ToText(literal, rule_, world_.world()->symbols()),
+        why);
   }
 
   bool CheckKind(const rules::Literal& literal) {

@@ -19,7 +19,8 @@ constexpr size_t kMinSuccesses = 12;
 
 /// Calls visit(literal) for both polarities of every predicate with every
 /// choice of terms.
-void ForEachLiteral(const std::vector<rules::Term>& terms, const rules::World& world,
+void ForEachLiteral(const std::vector<rules::Term>& terms,
+                    const rules::World& world,
                     const std::function<void(const rules::Literal&)>& visit) {
   for (size_t s = 0; s < world.symbols().all().size(); ++s) {
     const rules::Symbol& symbol = world.symbols().all()[s];
@@ -44,7 +45,8 @@ void ForEachLiteral(const std::vector<rules::Term>& terms, const rules::World& w
   }
 }
 
-std::vector<rules::Term> TermsOf(const rules::Rule& rule, const rules::World& world) {
+std::vector<rules::Term> TermsOf(const rules::Rule& rule,
+                                 const rules::World& world) {
   std::vector<rules::Term> terms;
   for (size_t i = 0; i < rule.arguments.size(); ++i) {
     terms.push_back({rules::Term::Kind::kVariable, static_cast<int>(i)});
@@ -169,9 +171,8 @@ rules::Experience OwnChanges(const rules::Experience& experience,
 }
 
 rules::Experience Reversed(const rules::Experience& experience, int action) {
-  return {experience.after,
-          {action, experience.act.arguments},
-          experience.before};
+  return {
+      experience.after, {action, experience.act.arguments}, experience.before};
 }
 
 void Specialize(std::span<const rules::Experience> experiences,
@@ -185,23 +186,24 @@ void Specialize(std::span<const rules::Experience> experiences,
     }
   }
   if (successes.empty()) return;
-  const auto bindings =
-      BindingsOf(*rule, successes.front()->before, world);
+  const auto bindings = BindingsOf(*rule, successes.front()->before, world);
   std::vector<rules::Literal> shared;
-  ForEachLiteral(TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
-    if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses) return;
-    if (NamesNothing(literal) &&
-        std::ranges::count(landmarks, literal.symbol) == 0) {
-      return;
-    }
-    const bool is_shared =
-        std::ranges::all_of(successes, [&](const Experience* e) {
-          return rules::Holds(literal, e->act.arguments, e->before, world);
-        });
-    if (is_shared && IsTelling(literal, bindings, experiences, world)) {
-      shared.push_back(literal);
-    }
-  });
+  ForEachLiteral(
+      TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
+        if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses)
+          return;
+        if (NamesNothing(literal) &&
+            std::ranges::count(landmarks, literal.symbol) == 0) {
+          return;
+        }
+        const bool is_shared =
+            std::ranges::all_of(successes, [&](const Experience* e) {
+              return rules::Holds(literal, e->act.arguments, e->before, world);
+            });
+        if (is_shared && IsTelling(literal, bindings, experiences, world)) {
+          shared.push_back(literal);
+        }
+      });
   for (const rules::Literal& literal : rule->context) {
     if (std::ranges::count(shared, literal) == 0) shared.push_back(literal);
   }

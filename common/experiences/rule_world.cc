@@ -43,8 +43,8 @@ std::string DeclarationsOf(const Vocabulary& vocabulary,
                            std::span<const Action> actions) {
   std::string text;
   for (const int site : SitesOf(vocabulary)) {
-    text += vocabulary.objects()[static_cast<size_t>(site)].name +
-            " 0 constant\n";
+    text +=
+        vocabulary.objects()[static_cast<size_t>(site)].name + " 0 constant\n";
   }
   for (const StaticRelation& relation : vocabulary.static_relations()) {
     text += fmt::format("{} {} primitive\n", relation.name,
@@ -67,9 +67,9 @@ RuleWorld::RuleWorld(std::shared_ptr<const Vocabulary> vocabulary,
                      std::span<const Action> actions)
     : vocabulary_(std::move(vocabulary)),
       actions_(actions.begin(), actions.end()) {
-  const auto symbols = std::make_shared<const rules::SymbolTable>(
-      rules::SymbolTable::Parse(DeclarationsOf(*vocabulary_, actions),
-                                "domain.yaml"));
+  const auto symbols =
+      std::make_shared<const rules::SymbolTable>(rules::SymbolTable::Parse(
+          DeclarationsOf(*vocabulary_, actions), "domain.yaml"));
   from_object_ = SitesOf(*vocabulary_);
   to_object_.assign(vocabulary_->objects().size(), -1);
   std::vector<std::string> others;

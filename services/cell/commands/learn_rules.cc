@@ -65,8 +65,8 @@ int LearnRulesOfTask(const LearnRulesOptions& options) {
       experiences.push_back(std::move(experience));
     }
   }
-  const rules::NdrRules rules = LearnRules(
-      experiences, GoalPredicates(domain.goals()), world);
+  const rules::NdrRules rules =
+      LearnRules(experiences, GoalPredicates(domain.goals()), world);
   std::string text;
   for (const rules::Rule& rule : rules.rules) {
     text += "\n" + rules::ToText(rule, *rules.symbols, 2);

@@ -40,8 +40,7 @@ int RecordExperiences(const RecordOptions& options) {
   }
   WriteNewFile(options.out, text, kFreeOut);
   for (const auto& [action, number] : counts) {
-    std::cout << fmt::format("{}: {}\n", action,
-                             Counted(number, "experience"));
+    std::cout << fmt::format("{}: {}\n", action, Counted(number, "experience"));
   }
   std::cout << fmt::format("{}: {} bytes\n", options.out, text.size());
   return 0;

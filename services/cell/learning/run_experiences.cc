@@ -24,8 +24,8 @@ class RunReader {
  public:
   explicit RunReader(const RuleWorld& world)
       : world_(world),
-        robot_actions_(GroundActions(world.actions(), world.vocabulary(),
-                                     Agent::kRobot)),
+        robot_actions_(
+            GroundActions(world.actions(), world.vocabulary(), Agent::kRobot)),
         tracer_(world) {}
 
   void Put(const Message& message) {
@@ -66,7 +66,8 @@ class RunReader {
   void Take(const std::optional<predicates_t>& message) {
     if (!message) return;
     const auto sensed = planner::FromMessage(*message, world_.vocabulary());
-    if (sensed) tracer_->Sensed(sensed->key_frame, sensed->utime, sensed->state);
+    if (sensed)
+      tracer_->Sensed(sensed->key_frame, sensed->utime, sensed->state);
   }
 
   void Take(const std::optional<action_t>& message) {
@@ -103,7 +104,7 @@ class RunReader {
     const auto request = requests_.find(message->id);
     if (request == requests_.end()) return;
     tracer_->Failed(request->second.action, request->second.utime,
-                   message->header.utime);
+                    message->header.utime);
   }
 
   /// What undoes the action; nullopt if nothing does.

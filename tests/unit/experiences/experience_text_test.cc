@@ -42,8 +42,9 @@ TEST(ExperienceText, ErrorsNameTheLine) {
   };
   EXPECT_THAT(error_of("Clear(head)\nScrewHead(head)\nClear(heat)\n"),
               HasSubstr("e:3: the task has no object 'heat'; did you mean"));
-  EXPECT_THAT(error_of("Clear(head)\nPlaceSeparator(head)\nClear(head)\n"),
-              HasSubstr("e:2: PlaceSeparator(head): 'head' is not a separator"));
+  EXPECT_THAT(
+      error_of("Clear(head)\nPlaceSeparator(head)\nClear(head)\n"),
+      HasSubstr("e:2: PlaceSeparator(head): 'head' is not a separator"));
   EXPECT_THAT(
       error_of("Clear(head)\nScrewHead(head)\nSeparatorPlaced(head)\n"),
       HasSubstr("e:3: SeparatorPlaced(head): 'head' is not a separator"));

@@ -11,7 +11,8 @@ class ExperienceTracerTest : public testing::Test {
  protected:
   ExperienceTracerTest() {
     first_ = task_.Start();
-    second_ = task_.Do(first_, "PlaceRoundPeg", {"round_peg_1", "base.round_1"});
+    second_ =
+        task_.Do(first_, "PlaceRoundPeg", {"round_peg_1", "base.round_1"});
     third_ = task_.Do(second_, "PlaceRoundPeg", {"shaft", "base.shaft"});
     tracer_.Sensed(0, 0, first_);
     tracer_.Sensed(2, 20, second_);
@@ -42,7 +43,7 @@ TEST_F(ExperienceTracerTest, LeavesOutManipulationsAtTheSameTime) {
 }
 
 TEST_F(ExperienceTracerTest, LeavesOutWhatWasNotSensed) {
-  tracer_.Done(peg_, 3, 4);  // no state at key frame 4
+  tracer_.Done(peg_, 3, 4);    // no state at key frame 4
   tracer_.Done(shaft_, 0, 2);  // none before key frame 0
   EXPECT_TRUE(tracer_.Experiences().empty());
 }

@@ -38,8 +38,8 @@ class RandomRules {
     int variables = arity;
     if (Below(2) == 0) {
       rule.references.push_back({"R", {AnyLiteral(arity + 1)}});
-      rule.references[0].literals[0].terms[0] = {
-          rules::Term::Kind::kVariable, arity};
+      rule.references[0].literals[0].terms[0] = {rules::Term::Kind::kVariable,
+                                                 arity};
       ++variables;
     }
     for (size_t i = Below(3); i > 0; --i) {
@@ -73,8 +73,8 @@ class RandomRules {
     for (int i = 0; i < world_.symbols()[literal.symbol].arity; ++i) {
       literal.terms.push_back(AnyTerm(variables));
     }
-    literal.comparison = Below(2) == 0 ? rules::Comparison::kTrue
-                                       : rules::Comparison::kFalse;
+    literal.comparison =
+        Below(2) == 0 ? rules::Comparison::kTrue : rules::Comparison::kFalse;
     return literal;
   }
 
@@ -82,9 +82,9 @@ class RandomRules {
     const size_t kind = Below(6);
     if (kind == 0) return {rules::Term::Kind::kAny, 0};
     if (kind == 1) {
-      return {rules::Term::Kind::kObject,
-              static_cast<int>(
-                  Below(static_cast<size_t>(world_.num_constants())))};
+      return {
+          rules::Term::Kind::kObject,
+          static_cast<int>(Below(static_cast<size_t>(world_.num_constants())))};
     }
     return {rules::Term::Kind::kVariable,
             static_cast<int>(Below(static_cast<size_t>(variables)))};
@@ -107,10 +107,9 @@ TEST(RuleConversion, WhatIsUnknownBeforeOrAfterHasNotChanged) {
   const CranfieldRules task;
   const auto action =
       task.Ground("PlaceRoundPeg", {"round_peg_1", "base.round_1"});
-  const State before = task.With(task.Start(), {"Free(base.shaft)"},
-                                 Truth::kUnknown);
-  const State after =
-      task.With(task.Start(), {"Clear(head)"}, Truth::kUnknown);
+  const State before =
+      task.With(task.Start(), {"Free(base.shaft)"}, Truth::kUnknown);
+  const State after = task.With(task.Start(), {"Clear(head)"}, Truth::kUnknown);
   const auto experience = task.world.ToExperience(before, action, after);
   EXPECT_EQ(experience.before, experience.after);
   EXPECT_EQ(task.world.FromWorld(experience.before), task.Start());
@@ -125,35 +124,36 @@ TEST(RuleConversion, AConvertedRuleMeansTheSame) {
   std::mt19937_64 random(8);
   int num_converted = 0;
   int num_covered = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const rules::Rule rule = random_rules.Next();
     const auto converted = ToNdrRule(rule, task.world);
     if (!converted) continue;
     ++num_converted;
-    Action action = task.domain->actions()[static_cast<size_t>(
-        task.world.ActionOf(rule.action))];
+    Action action =
+        task.domain
+            ->actions()[static_cast<size_t>(task.world.ActionOf(rule.action))];
     action.rules = {*converted};
     const State state = task.RandomState(i % 2 == 0 ? 0.1 : 0.7, random);
     const rules::WorldState world_state = task.world.ToWorld(state);
     for (const rules::GroundAct& act : rules::GroundActs(world, world_state)) {
       if (act.action != rule.action) continue;
       const auto bound = rules::Bind(rule, act.arguments, world_state, world);
-      const auto applicable = ApplicableRules(
-          action, task.world.FromWorld(act).arguments, state,
-          task.domain->vocabulary(), action.agents.front());
+      const auto applicable =
+          ApplicableRules(action, task.world.FromWorld(act).arguments, state,
+                          task.domain->vocabulary(), action.agents.front());
       ASSERT_EQ(applicable.size(), bound ? 1U : 0U)
-          << rules::ToText(rule, world.symbols()) << world.Show(act.action,
-                                                               act.arguments);
+          << rules::ToText(rule, world.symbols())
+          << world.Show(act.action, act.arguments);
       if (!bound) continue;
       ++num_covered;
       EXPECT_EQ(Apply(converted->outcomes[0], applicable[0].binding, state,
                       task.domain->vocabulary()),
-                task.world.FromWorld(rules::Apply(rule.outcomes[0], *bound,
-                                                  world_state, world)))
+                task.world.FromWorld(
+                    rules::Apply(rule.outcomes[0], *bound, world_state, world)))
           << rules::ToText(rule, world.symbols());
     }
   }
-  EXPECT_GT(num_converted, 50);
+  EXPECT_GT(num_converted, 150);
   EXPECT_GT(num_covered, 100);
 }
 
@@ -175,10 +175,10 @@ TEST(RuleConversion, ReferencesGetTheTypeThatTheirLiteralsGiveThem) {
 TEST(RuleConversion, RefusesWhatTheDomainHasNoWordsFor) {
   const CranfieldRules task;
   const std::string end = "\nEffects:\n  1: Clear(X)\n  0: noise\n";
-  EXPECT_THAT(RefusalOf("Action: PlaceRoundPeg(X, Y)\nPreconditions: X != Y" +
-                            end,
-                        task.world),
-              HasSubstr("same"));
+  EXPECT_THAT(
+      RefusalOf("Action: PlaceRoundPeg(X, Y)\nPreconditions: X != Y" + end,
+                task.world),
+      HasSubstr("same"));
   EXPECT_THAT(
       RefusalOf("Action: PlaceSeparator(X)\nPreconditions: Horizontal(X)" + end,
                 task.world),

@@ -132,8 +132,8 @@ TEST(RuleLessons, WhatHeldBeforeEachSuccessBecomesACondition) {
       state = after;
     }
   }
-  const rules::NdrRules rules = LearnRules(
-      experiences, GoalPredicates(task.domain->goals()), task.world);
+  const rules::NdrRules rules =
+      LearnRules(experiences, GoalPredicates(task.domain->goals()), task.world);
   const auto text_of = [&](const std::string& name) -> std::string {
     for (const rules::Rule& rule : rules.rules) {
       if ((*rules.symbols)[rule.action].name == name) {
@@ -159,13 +159,11 @@ TEST(RuleLessons, ChangesOfOtherObjectsAreLeftOut) {
   const CranfieldRules task;
   const auto action = task.Ground("PlaceSeparator", {"separator"});
   const State before = task.With(task.Start(), {"Horizontal(shaft)"});
-  const State after =
-      task.With(task.With(before, {"SeparatorPlaced(separator)"}),
-                {"Free(base.shaft)", "Horizontal(shaft)", "Clear(head)"},
-                Truth::kFalse);
-  const State own = task.With(
-      task.With(before, {"SeparatorPlaced(separator)"}), {"Free(base.shaft)"},
-      Truth::kFalse);
+  const State after = task.With(
+      task.With(before, {"SeparatorPlaced(separator)"}),
+      {"Free(base.shaft)", "Horizontal(shaft)", "Clear(head)"}, Truth::kFalse);
+  const State own = task.With(task.With(before, {"SeparatorPlaced(separator)"}),
+                              {"Free(base.shaft)"}, Truth::kFalse);
   EXPECT_EQ(
       OwnChanges(task.world.ToExperience(before, action, after), task.world),
       task.world.ToExperience(before, action, own));
