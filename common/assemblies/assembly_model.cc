@@ -1,6 +1,7 @@
 #include "common/assemblies/assembly_model.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace cell::assemblies {
 namespace {
@@ -32,6 +33,9 @@ class ModelBuilder {
         model_.goal.insert(pair);
         model_.parts.insert({pair.first, pair.second});
       }
+    }
+    ChoosePreconditions();
+    for (const auto& [pair, count] : toy_.pairs) {
       model_.rule_of[pair] = static_cast<int>(model_.rules.rules.size());
       model_.rules.rules.push_back(RuleOf(pair, count));
     }
@@ -70,27 +74,64 @@ class ModelBuilder {
     return literal;
   }
 
-  bool Requires(const PartPair& pair, const PairCount& count,
-                const PartPair& other) const {
-    if (other == pair) return false;
-    if (count.has_durable && !count.before_durable.contains(other)) {
-      return false;
-    }
+  struct Candidate {
+    double probability;
+    PartPair pair;
+    PartPair required;
+  };
+
+  /// That `pair` is a wrong order while `other` is missing; 0 if it ever was
+  /// attached to stay without that.
+  double ProbabilityOf(const PartPair& pair, const PairCount& count,
+                       const PartPair& other) const {
+    if (count.has_durable && !count.before_durable.contains(other)) return 0;
     const auto it = toy_.counts.find({pair, other});
     const OrderCount own = it == toy_.counts.end() ? OrderCount{} : it->second;
-    return WrongOrderProbability(own, others_.At(pair, other)) >=
-           settings_.least_probability;
+    return WrongOrderProbability(own, others_.At(pair, other));
+  }
+
+  std::vector<Candidate> Candidates() const {
+    std::vector<Candidate> candidates;
+    for (const auto& [pair, count] : toy_.pairs) {
+      // Two parts of one name may be any two of several: nothing is required.
+      if (pair.is_of_one_name()) continue;
+      for (const PartPair& other : model_.goal) {
+        if (other == pair) continue;
+        const double probability = ProbabilityOf(pair, count, other);
+        if (probability >= settings_.least_probability) {
+          candidates.push_back({probability, pair, other});
+        }
+      }
+    }
+    std::ranges::stable_sort(candidates, std::greater{},
+                             &Candidate::probability);
+    return candidates;
+  }
+
+  void ChoosePreconditions() {
+    for (const Candidate& candidate : Candidates()) {
+      if (!IsRequiredBy(candidate.pair, candidate.required)) {
+        required_[candidate.pair].insert(candidate.required);
+      }
+    }
+  }
+
+  /// True if `late` requires `early`, or something that does.
+  bool IsRequiredBy(const PartPair& early, const PartPair& late) const {
+    if (early == late) return true;
+    const auto it = required_.find(late);
+    return it != required_.end() &&
+           std::ranges::any_of(it->second, [&](const PartPair& required) {
+             return IsRequiredBy(early, required);
+           });
   }
 
   rules::Rule RuleOf(const PartPair& pair, const PairCount& count) const {
     rules::Rule rule;
     rule.action = *model_.rules.symbols->Find(ActionName(pair));
-    // Two parts of one name may be any two of several: nothing is required.
-    if (!pair.is_of_one_name()) {
-      for (const auto& [other, unused] : toy_.pairs) {
-        if (Requires(pair, count, other)) {
-          rule.context.push_back(LiteralOf(joined_, other));
-        }
+    if (const auto it = required_.find(pair); it != required_.end()) {
+      for (const PartPair& other : it->second) {
+        rule.context.push_back(LiteralOf(joined_, other));
       }
     }
     const double all = count.num_correct + count.num_wrong_position + 2;
@@ -108,6 +149,7 @@ class ModelBuilder {
   const OrderPrior& others_;
   JudgeSettings settings_;
   AssemblyModel model_;
+  std::map<PartPair, std::set<PartPair>> required_;  // without a cycle
   int joined_ = 0;
   int misplaced_ = 0;
 };

@@ -39,9 +39,11 @@ struct AssemblyModel {
 /// Learns what each attach requires. A pair q becomes a precondition of p if it
 /// was attached before every durable attach of p (an attach that is correct and
 /// never undone), and if p without q is a wrong order with at least the
-/// settings' probability. That is estimated as the mean of a beta distribution:
-/// the counts of this toy over a prior of one observation, whose mean is
-/// estimated in the same way from the other toys.
+/// settings' probability; the likeliest first, and none that would make the
+/// goal unreachable (a pair that the goal does not have, or a cycle): people
+/// have reached it. The probability is estimated as the mean of a beta
+/// distribution: the counts of this toy over a prior of one observation, whose
+/// mean is estimated in the same way from the other toys.
 ///
 /// Greedy search for rules that maximise eq. (1) needs dozens of experiences of
 /// an action; of a toy there are one to six sequences, in which every order

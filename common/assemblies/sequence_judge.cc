@@ -133,17 +133,21 @@ std::optional<SequenceJudge::Fault> SequenceJudge::FaultOf(
   return {};
 }
 
+void SequenceJudge::SetJoined(const PartPair& pair, bool is_joined) {
+  const auto first = world_.FindObject(pair.first);
+  const auto second = world_.FindObject(pair.second);
+  if (!first || !second) return;  // no rule names it
+  const std::array<int, 2> objects = {*first, *second};
+  rules::World::Set(&state_, world_.PlaceOf(joined_, objects), is_joined);
+}
+
 void SequenceJudge::Attach(const PartPair& pair, const Standing& standing) {
   standing_[pair] = standing;
   std::erase(order_, pair);
   order_.push_back(pair);
   ++num_attaches_[pair];
-  const auto first = world_.FindObject(pair.first);
-  const auto second = world_.FindObject(pair.second);
-  if (first && second) {
-    const std::array<int, 2> objects = {*first, *second};
-    rules::World::Set(&state_, world_.PlaceOf(joined_, objects), true);
-  }
+  SetJoined(pair, true);
+  if (standing.stands_for) SetJoined(*standing.stands_for, true);
 }
 
 Verdict SequenceJudge::JudgeAttach(const PartPair& pair) {
@@ -180,14 +184,12 @@ Verdict SequenceJudge::JudgeDetach(const PartPair& pair) {
     verdict.reason = stands ? "it was attached in the right way"
                             : "nobody has seen it attached";
   }
-  if (stands) standing_.erase(it);
-  std::erase(order_, pair);
-  const auto first = world_.FindObject(pair.first);
-  const auto second = world_.FindObject(pair.second);
-  if (first && second) {
-    const std::array<int, 2> objects = {*first, *second};
-    rules::World::Set(&state_, world_.PlaceOf(joined_, objects), false);
+  SetJoined(pair, false);
+  if (stands) {
+    if (it->second.stands_for) SetJoined(*it->second.stands_for, false);
+    standing_.erase(it);
   }
+  std::erase(order_, pair);
   verdict.plan_after = PlanLength();
   return verdict;
 }

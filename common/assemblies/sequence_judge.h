@@ -59,6 +59,7 @@ class SequenceJudge {
   bool AreConnected(const std::string& a, const std::string& b) const;
   bool IsUnknown(const PartPair& pair) const;
   void Attach(const PartPair& pair, const Standing& standing);
+  void SetJoined(const PartPair& pair, bool is_joined);
   Verdict JudgeAttach(const PartPair& pair);
   Verdict JudgeDetach(const PartPair& pair);
 
