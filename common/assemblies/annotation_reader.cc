@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "common/text/counted.h"
 #include "common/text/nearest.h"
 
 namespace cell::assemblies {
@@ -23,10 +24,10 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-std::vector<std::string_view> Split(std::string_view text, char separator) {
+std::vector<std::string_view> Split(std::string_view text, char delimiter) {
   std::vector<std::string_view> parts;
   for (;;) {
-    const size_t at = text.find(separator);
+    const size_t at = text.find(delimiter);
     parts.push_back(Trimmed(text.substr(0, at)));
     if (at == std::string_view::npos) return parts;
     text.remove_prefix(at + 1);
@@ -120,11 +121,10 @@ class Reader {
   void ReadRow(Columns columns) {
     ++result_.num_rows;
     if (columns.size() + 1 < kNumColumns) {
-      Add(Problem::Kind::kMissingColumns,
-          fmt::format("{} columns; right are first frame, last frame, verb, "
-                      "part, part, label, remark; the row is skipped",
-                      columns.size()));
-      ++result_.num_skipped;
+      Skip(Problem::Kind::kMissingColumns,
+           fmt::format("{}; right are first frame, last frame, verb, part, "
+                       "part, label, remark",
+                       Counted(std::ssize(columns), "column")));
       return;
     }
     if (columns.size() < kNumColumns) {
@@ -132,29 +132,37 @@ class Reader {
           "no column of labels; the row is not scored");
     }
     columns.resize(std::max(columns.size(), kNumColumns + 1));
-    AssemblyAction action;
-    action.line = line_;
-    action.pair = MakePair(columns[3], columns[4]);
-    if (action.pair.first.empty()) {
-      Add(Problem::Kind::kMissingName,
-          "a part has no name; the row is skipped");
-      ++result_.num_skipped;
+    const PartPair pair = MakePair(columns[3], columns[4]);
+    if (pair.first.empty()) {
+      Skip(Problem::Kind::kMissingName, "a part has no name");
       return;
     }
     CheckFrames(columns);
-    action.verb = ReadVerb(columns[2], action.pair);
+    AddAction(columns, pair);
+  }
+
+  void Skip(Problem::Kind kind, const std::string& text) {
+    Add(kind, text + "; the row is skipped");
+    ++result_.num_skipped;
+  }
+
+  void AddAction(const Columns& columns, const PartPair& pair) {
+    AssemblyAction action;
+    action.line = line_;
+    action.pair = pair;
+    action.verb = ReadVerb(columns[2], pair);
     action.label = ReadLabel(columns[5]);
     action.kind = ReadRemark(columns[6], action.label);
-    if (action.pair.is_of_one_name()) {
+    if (pair.is_of_one_name()) {
       Add(Problem::Kind::kOnePart,
           fmt::format("'{}' with itself; taken as two parts of one name, "
                       "never a mistake",
-                      action.pair.first));
+                      pair.first));
     }
     if (action.verb == Verb::kAttach) {
-      attached_.insert(action.pair);
+      attached_.insert(pair);
     } else {
-      attached_.erase(action.pair);
+      attached_.erase(pair);
     }
     result_.sequence.actions.push_back(action);
   }

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/rules_files.h"
 
@@ -52,8 +53,9 @@ void PrintProblems(const std::vector<AnnotationFile>& files, int num_shown) {
     }
   }
   if (all.empty()) return;
-  std::cout << fmt::format("input: {} rows in {} files, {} skipped\n", num_rows,
-                           files.size(), num_skipped);
+  std::cout << fmt::format("input: {} in {}, {} skipped\n",
+                           Counted(num_rows, "row"),
+                           Counted(std::ssize(files), "file"), num_skipped);
   for (const auto& [kind, problems] : all) {
     std::cout << fmt::format("  {:>4} {}\n", problems.size(), NameOf(kind));
     for (size_t i = 0; i < problems.size(); ++i) {
