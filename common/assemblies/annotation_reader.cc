@@ -9,6 +9,7 @@
 
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
+#include "common/text/printable.h"
 
 namespace cell::assemblies {
 namespace {
@@ -22,6 +23,11 @@ std::string_view Trimmed(std::string_view text) {
   const size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+/// What a message quotes of a cell that may hold anything.
+std::string Shortened(std::string_view text) {
+  return PrintableName(text, 40);
 }
 
 std::vector<std::string_view> Split(std::string_view text, char delimiter) {
@@ -174,19 +180,24 @@ class Reader {
     Add(Problem::Kind::kBadFrames,
         fmt::format("frames '{}' to '{}' are no stretch of time; the order of "
                     "the rows counts",
-                    columns[0], columns[1]));
+                    Shortened(columns[0]), Shortened(columns[1])));
   }
 
   Verb ReadVerb(std::string_view text, const PartPair& pair) {
     const auto word = FindWord(text, kVerbs);
     if (word && word->is_exact) return word->value;
     const bool is_attached = attached_.contains(pair);
-    const Verb verb = is_attached ? Verb::kDetach : Verb::kAttach;
-    Add(Problem::Kind::kUnknownVerb,
-        fmt::format("'{}' is no verb; right are attach and detach; read as {}, "
-                    "since {} {} attached",
-                    text, NameOf(verb), Show(pair),
-                    is_attached ? "is" : "is not"));
+    const Verb verb = word          ? word->value
+                      : is_attached ? Verb::kDetach
+                                    : Verb::kAttach;
+    std::string said =
+        fmt::format("'{}' is no verb; right are attach and detach; read as {}",
+                    Shortened(text), NameOf(verb));
+    if (!word) {
+      said += fmt::format(", since {} {} attached", Show(pair),
+                          is_attached ? "is" : "is not");
+    }
+    Add(Problem::Kind::kUnknownVerb, std::move(said));
     return verb;
   }
 
@@ -197,7 +208,7 @@ class Reader {
     Add(Problem::Kind::kUnknownLabel,
         fmt::format("'{}' is no label; right are correct, mistake and "
                     "correction; {}",
-                    text,
+                    Shortened(text),
                     word ? fmt::format("read as {}", NameOf(word->value))
                          : "the row is not scored"));
     if (!word) return {};
@@ -214,7 +225,7 @@ class Reader {
     const auto word = FindWord(text, kRemarks);
     if (word && word->is_exact) return word->value;
     Add(Problem::Kind::kUnknownRemark,
-        fmt::format("'{}' is no known remark; {}", text,
+        fmt::format("'{}' is no known remark; {}", Shortened(text),
                     word ? fmt::format("read as {}", NameOf(word->value))
                          : "the kind is not known"));
     return word ? word->value : MistakeKind::kNone;

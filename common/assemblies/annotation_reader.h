@@ -49,10 +49,10 @@ std::string ToyOf(std::string_view file_name);
 /// or correction, remark. A heading in line 1 is allowed.
 ///
 /// No row stops the reading. A row without parts is skipped. A verb that is
-/// none is read by the evidence: the two parts are detached if they are
-/// attached, and attached if not. A row without a known label stays, unjudged.
-/// Misspelt labels and remarks are read as the nearest. Each of these is a
-/// problem with its line.
+/// none and is like none is read by the evidence: the two parts are detached if
+/// they are attached, and attached if not. A row without a known label stays,
+/// unjudged. Misspelt words are read as the nearest. Each of these is a problem
+/// with its line.
 AnnotationFile ReadAnnotations(std::string_view text, const std::string& file);
 
 }  // namespace cell::assemblies

@@ -6,7 +6,6 @@ namespace cell::assemblies {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 using ProblemKind = AnnotationProblem::Kind;
@@ -54,6 +53,20 @@ TEST(AnnotationReader, ReadsAWrongVerbByWhatIsAttached) {
             std::string(kFile) +
                 ":2: 'interior' is no verb; right are attach and detach; read "
                 "as detach, since a - b is attached");
+}
+
+TEST(AnnotationReader, ReadsAMisspeltVerbAsTheNearest) {
+  const AnnotationFile file = Read("1,2,detatch,a,b,correct,\n");
+  EXPECT_EQ(file.sequence.actions.at(0).verb, Verb::kDetach);
+  ASSERT_THAT(file.problems, SizeIs(1));
+  EXPECT_THAT(file.problems[0].text, testing::EndsWith("read as detach"));
+}
+
+TEST(AnnotationReader, QuotesLittleOfWhatIsNoText) {
+  const AnnotationFile file =
+      Read("1,2,attach,a,b," + std::string(5000, 'x') + "\x1b,\n");
+  ASSERT_THAT(file.problems, SizeIs(1));
+  EXPECT_LT(file.problems[0].text.size(), 200u);
 }
 
 TEST(AnnotationReader, NamesEveryOddRowAndKeepsTheRest) {
