@@ -8,8 +8,8 @@
 
 namespace cell::assemblies {
 
-/// What is learned with, and judged by. The defaults are what all toys of the
-/// data that the evaluation was developed with choose.
+/// What is learned with, and judged by. The defaults did well on real
+/// assemblies of 68 toys; `cell eval mistakes` chooses its own.
 struct JudgeSettings {
   /// Least probability, that an attach is a wrong order while a pair is
   /// missing, for that pair to become a precondition.
