@@ -248,7 +248,9 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules show",
                               "rules export",
                               "eval rules",
-                              "eval rexd"}) {
+                              "eval rexd",
+                              "eval mistakes",
+                              "monitor"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -51,9 +51,11 @@ void AddName(CLI::App& app, Action* action);
 void AddRules(CLI::App& app, Action* action);
 void AddList(CLI::App& app, Action* action);
 void AddPlan(CLI::App& app, Action* action);
+void AddMonitor(CLI::App& app, Action* action);
 
 // The evaluations that need no cell: subcommands of eval.
 void AddEvalRules(CLI::App& eval, Action* action);
 void AddEvalRexd(CLI::App& eval, Action* action);
+void AddEvalMistakes(CLI::App& eval, Action* action);
 
 }  // namespace cell::cli

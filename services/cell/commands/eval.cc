@@ -227,6 +227,7 @@ void AddEval(CLI::App& app, Action* action) {
   AddEvalSec(*eval, action);
   AddEvalRules(*eval, action);
   AddEvalRexd(*eval, action);
+  AddEvalMistakes(*eval, action);
 }
 
 }  // namespace cell::cli
