@@ -5,6 +5,7 @@
 #include "services/cell/evaluations/insertion_evaluation.h"
 #include "services/cell/evaluations/keyframes_evaluation.h"
 #include "services/cell/evaluations/stops_evaluation.h"
+#include "services/cell/evaluations/substitution_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
 namespace cell::cli {
@@ -31,6 +32,7 @@ std::vector<Trial> Evaluation::Trials(int runs, uint64_t seed) const {
 
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
+  all.push_back(MakeSubstitutionEvaluation());
   all.push_back(MakeWatchEvaluation());
   all.push_back(MakeAssemblyEvaluation());
   all.push_back(MakeDisturbedEvaluation());
