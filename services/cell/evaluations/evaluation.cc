@@ -32,13 +32,13 @@ std::vector<Trial> Evaluation::Trials(int runs, uint64_t seed) const {
 
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
-  all.push_back(MakeSubstitutionEvaluation());
   all.push_back(MakeWatchEvaluation());
   all.push_back(MakeAssemblyEvaluation());
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());
+  all.push_back(MakeSubstitutionEvaluation());
   return all;
 }
 
