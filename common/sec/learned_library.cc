@@ -5,6 +5,7 @@
 
 #include "common/scene/scene_objects.h"
 #include "common/sec/bound_scene.h"
+#include "common/sec/stand_ins.h"
 
 namespace cell {
 namespace {
@@ -14,9 +15,11 @@ constexpr double kRelationWeight = 1;
 
 class Model final : public SecModel {
  public:
-  Model(LearnedLibrary::Entry entry, std::shared_ptr<const SceneWords> words)
+  Model(LearnedLibrary::Entry entry, std::set<int> stand_ins,
+        std::shared_ptr<const SceneWords> words)
       : action_(std::move(entry.action)),
         model_(std::move(entry.model)),
+        stand_ins_(std::move(stand_ins)),
         words_(std::move(words)),
         required_(model_.RequiredLiterals()),
         changed_(ChangedLiterals(model_.pick, model_.place)),
@@ -38,6 +41,10 @@ class Model final : public SecModel {
       }
     }
     return found;
+  }
+
+  bool HasStandIn(const Roles& roles) const override {
+    return stand_ins_.contains(BindingOf(roles)[model_.moved]);
   }
 
   double Agreement(const ObservedManipulation& manipulation, const Roles& roles,
@@ -162,7 +169,7 @@ class Model final : public SecModel {
     std::vector<Binding> bindings = {{}};
     for (size_t i = 0; i < model_.roles.size(); ++i) {
       std::vector<Binding> longer;
-      for (const int object : vocabulary.ObjectsOf(model_.roles[i].type)) {
+      for (const int object : ObjectsFor(i)) {
         if ((i == model_.moved) != (object == moved)) continue;
         for (Binding binding : bindings) {
           if (std::ranges::count(binding, object) > 0) continue;
@@ -176,6 +183,15 @@ class Model final : public SecModel {
       return !StaticsHold(binding);
     });
     return bindings;
+  }
+
+  std::vector<int> ObjectsFor(size_t role) const {
+    std::vector<int> objects =
+        words_->vocabulary.ObjectsOf(model_.roles[role].type);
+    if (role == model_.moved) {
+      objects.insert(objects.end(), stand_ins_.begin(), stand_ins_.end());
+    }
+    return objects;
   }
 
   bool StaticsHold(const Binding& binding) const {
@@ -204,6 +220,7 @@ class Model final : public SecModel {
 
   std::string action_;
   LearnedModel model_;
+  std::set<int> stand_ins_;  // for the moved part
   std::shared_ptr<const SceneWords> words_;
   LiteralSet required_;         // as they are in pick
   LiteralSet changed_;          // of all roles, as they are in pick
@@ -214,8 +231,12 @@ class Model final : public SecModel {
 
 LearnedLibrary::LearnedLibrary(std::vector<Entry> entries,
                                std::shared_ptr<const SceneWords> words) {
-  for (Entry& entry : entries) {
-    models_.push_back(std::make_shared<const Model>(std::move(entry), words));
+  std::vector<LearnedModel> all;
+  for (const Entry& entry : entries) all.push_back(entry.model);
+  for (size_t i = 0; i < entries.size(); ++i) {
+    models_.push_back(std::make_shared<const Model>(
+        std::move(entries[i]), StandIns(all[i], all, words->vocabulary),
+        words));
   }
 }
 

@@ -20,7 +20,9 @@ namespace cell {
 /// the two facts that would say it, one before and one after. Unexplained
 /// relations count only with the table and what is fixed: which of its
 /// neighbours a part touches is chance. The agreement is 0 unless the
-/// predicates of the moved part change as the model says.
+/// predicates of the moved part change as the model says. Also a part of a type
+/// that was never shown is taken for the moved one, if it can stand in for it
+/// (StandIns()).
 class LearnedLibrary final : public SecLibrary {
  public:
   struct Entry {

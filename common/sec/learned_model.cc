@@ -19,6 +19,16 @@ std::string Signature(std::span<const Variable> variables,
 
 }  // namespace
 
+Contribution Renamed(const Contribution& contribution, const RoleMap& places) {
+  Contribution renamed = contribution;
+  renamed.pick = Renamed(contribution.pick, places);
+  renamed.place = Renamed(contribution.place, places);
+  for (size_t i = 0; i < places.size(); ++i) {
+    renamed.types.at(places[i].value()) = contribution.types.at(i);
+  }
+  return renamed;
+}
+
 int LearnedModel::NumShown() const {
   return std::accumulate(
       shown.begin(), shown.end(), 0,
@@ -36,6 +46,7 @@ LiteralSet LearnedModel::RequiredLiterals() const {
 bool LearnedModel::SaysTheSame(const LearnedModel& other) const {
   LearnedModel copy = other;
   copy.shown = shown;
+  copy.taught = taught;
   return *this == copy;
 }
 
@@ -79,7 +90,11 @@ Result<LearnedModel> FitToArguments(const LearnedModel& model,
                       Renamed(model.pick, places),
                       Renamed(model.place, places),
                       model.chain,
-                      model.shown};
+                      model.shown,
+                      {}};
+  for (const Contribution& contribution : model.taught) {
+    fitted.taught.push_back(Renamed(contribution, places));
+  }
   for (size_t i = 0; i < order.size(); ++i) {
     fitted.roles[order[i]] = {arguments[order[i]].name, model.roles[i].type};
   }

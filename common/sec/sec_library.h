@@ -50,6 +50,9 @@ class SecModel {
   virtual std::vector<Roles> RolesAtPickUp(const std::string& part,
                                            const SensedFrame& before,
                                            ActionDirection direction) const = 0;
+  /// True if an object of these roles only stands in for those that the action
+  /// was shown with.
+  virtual bool HasStandIn(const Roles& /*roles*/) const { return false; }
   /// How well the manipulation agrees with the action in one of these roles:
   /// from 0 to 1.
   virtual double Agreement(const ObservedManipulation& manipulation,

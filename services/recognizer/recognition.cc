@@ -170,6 +170,8 @@ RecognisedAction Recognition::Report(const Manipulation& manipulation,
     action.direction = reading->hypothesis.direction;
     action.name = reading->hypothesis.model->action();
     action.arguments = reading->hypothesis.roles;
+    action.has_stand_in =
+        reading->hypothesis.model->HasStandIn(action.arguments);
     action.confidence = reading->agreement;
   }
   action.part = manipulation.part();

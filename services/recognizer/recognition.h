@@ -21,8 +21,10 @@ struct RecognisedAction {
   std::string name;                    ///< empty if unknown
   double confidence = 0;               ///< the agreement, 0 if unknown
   std::vector<std::string> arguments;  ///< in the action's order
-  std::string part;                    ///< what was moved
-  std::vector<std::string> hands;      ///< that held it, sorted
+  /// One of them stands in for what the action was shown with.
+  bool has_stand_in = false;
+  std::string part;                ///< what was moved
+  std::vector<std::string> hands;  ///< that held it, sorted
   int64_t pick_utime = 0;
   int64_t pick_key_frame = 0;
   int64_t place_utime = 0;

@@ -72,6 +72,8 @@ bool Recognizer::OnEpisode(const episode_t& message) {
     demonstration_ = fmt::format("{} {}", message.demonstration, message.seed);
   }
   if (event == EpisodeEvent::kBegins) Begin();
+  if (event == EpisodeEvent::kEnds && learning_)
+    learning_->OnDemonstrationEnd();
   if (event == EpisodeEvent::kJoins) {
     library_request_t all{};
     all.header.utime = bus_.now();
@@ -121,10 +123,11 @@ void Recognizer::OnStored(const stored_t& message) {
   bus_.Publish("ALERT", alert);
 }
 
-/// What undoes one action and does another shows neither by itself.
+/// What undoes one action and does another shows neither by itself. Neither
+/// does a stand-in: the action would be learned to take anything like it.
 void Recognizer::Learn(const ObservedManipulation& manipulation,
                        const std::vector<RecognisedAction>& actions) {
-  if (actions.size() > 1) {
+  if (actions.size() > 1 || actions.front().has_stand_in) {
     learning_->OnMixture();
   } else {
     learning_->OnManipulation(manipulation, demonstration_);

@@ -250,7 +250,9 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "eval rules",
                               "eval rexd",
                               "eval mistakes",
-                              "monitor"}) {
+                              "monitor",
+                              "sec similar",
+                              "eval substitution"}) {
     const ShellResult help = Cell(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;

@@ -40,7 +40,7 @@ class Lesson {
                              SceneWords{task.domain.vocabulary(), task.parts})),
                      task.MakeSensor(), {}) {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      last_ = learner_.Add(manipulation, source_);
+      last_ = learner_.Add(manipulation, source_, recording_.build);
     });
   }
 

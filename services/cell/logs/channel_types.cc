@@ -14,6 +14,7 @@
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
+#include "cell/command_library_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
@@ -68,6 +69,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
+      {"COMMAND_LIBRARY", Of<command_library_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},
       {"COMMAND_NAME", Of<command_name_t>()},
       {"EPISODE", Of<episode_t>()},

@@ -130,5 +130,34 @@ TEST_F(LearnedLibraryTest, OnlyWhatFitsTakesPart) {
               IsEmpty());
 }
 
+/// A part of a type that the model was never shown with, in its role.
+TEST_F(LearnedLibraryTest, APartThatWasNeverShownIsTakenForTheRoleItPlays) {
+  const auto insert = [](const std::string& x, const std::string& y) {
+    return "{roles: {X: " + x + ", Y: " + y +
+           "}, moved: X,"
+           " pick: {touch: [table], apart: [Y],"
+           "        where: ['fits(X, Y)', 'not PegInHole(X, Y)']},"
+           " place: {touch: [Y], apart: [table], where: ['PegInHole(X, Y)']},"
+           " chain: {table: 10}, shown: {a: 1}}";
+  };
+  Learn("Insert", insert("shaft", "cylindrical_hole"));
+  show_.Seat("round_peg_1", "base.round_2");
+  EXPECT_THAT(agreements_,
+              ElementsAre(testing::Pair("Insert base.round_2", 1.0)));
+  const LearnedLibrary library(entries_, show_.words());
+  EXPECT_TRUE(library.models()[0]->HasStandIn({"round_peg_1", "base.round_2"}));
+  EXPECT_FALSE(library.models()[0]->HasStandIn({"shaft", "base.shaft"}));
+  show_.Seat("square_peg_1", "base.square_1");
+  EXPECT_THAT(agreements_, IsEmpty()) << "its hole plays no role";
+  show_.Seat("separator", "base.separator");
+  EXPECT_THAT(agreements_, IsEmpty()) << "it can be in no hole";
+  // Once it has an action of its own that changes the same, it stands in for
+  // none.
+  Learn("Plug", insert("round_peg", "round_hole"));
+  show_.Seat("round_peg_2", "base.round_1");
+  EXPECT_THAT(agreements_,
+              ElementsAre(testing::Pair("Plug base.round_1", 1.0)));
+}
+
 }  // namespace
 }  // namespace cell
