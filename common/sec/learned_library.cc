@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLiteralWeight = 2;
 constexpr double kRelationWeight = 1;
+constexpr double kOpenShare = 0.5;  // of a literal that the scene leaves open
 
 class Model final : public SecModel {
  public:
@@ -20,7 +21,12 @@ class Model final : public SecModel {
         words_(std::move(words)),
         required_(model_.RequiredLiterals()),
         changed_(ChangedLiterals(model_.pick, model_.place)),
-        partners_(ChangedPartners(model_.pick, model_.place)) {}
+        partners_(ChangedPartners(model_.pick, model_.place)),
+        certain_partners_(partners_) {
+    std::erase_if(certain_partners_, [](const Partner& partner) {
+      return partner.kind == Partner::Kind::kType;
+    });
+  }
 
   const std::string& action() const override { return action_; }
 
@@ -47,7 +53,7 @@ class Model final : public SecModel {
     const BoundScene before(*words_, binding, model_.moved,
                             manipulation.before);
     const BoundScene after(*words_, binding, model_.moved, manipulation.after);
-    if (!HasRequired(before, after, direction)) return 0;
+    if (!HasRequired(manipulation, before, after, direction)) return 0;
     Tally tally;
     Count(is_forward ? model_.pick : model_.place, before, &tally);
     Count(is_forward ? model_.place : model_.pick, after, &tally);
@@ -60,9 +66,10 @@ class Model final : public SecModel {
     double held = 0;
     double all = 0;
 
-    void Put(double weight, bool holds) {
+    /// @param share  that holds
+    void Put(double weight, double share) {
       all += weight;
-      if (holds) held += weight;
+      held += weight * share;
     }
   };
 
@@ -71,18 +78,43 @@ class Model final : public SecModel {
     return direction == ActionDirection::kForward ? literal : Negated(literal);
   }
 
-  bool HasRequired(const BoundScene& before, const BoundScene& after,
+  bool HasRequired(const ObservedManipulation& manipulation,
+                   const BoundScene& before, const BoundScene& after,
                    ActionDirection direction) const {
-    if (required_.empty()) return HavePartnersChanged(before, after, direction);
-    return std::ranges::all_of(required_, [&](const Literal& literal) {
+    if (required_.empty()) {
+      return HaveChanged(partners_, before, after, direction);
+    }
+    bool is_certain = true;
+    for (const Literal& literal : required_) {
       const Literal begin = AtBegin(literal, direction);
-      return before.MayHold(begin) && after.MustHold(Negated(begin));
+      if (!before.MayHold(begin) || !after.MayHold(Negated(begin))) {
+        return false;
+      }
+      is_certain = is_certain && after.MustHold(Negated(begin));
+    }
+    return is_certain ||
+           (IsSeen(manipulation) && !certain_partners_.empty() &&
+            HaveChanged(certain_partners_, before, after, direction) &&
+            HasArrived(after, direction));
+  }
+
+  /// It has a pose before and after.
+  static bool IsSeen(const ObservedManipulation& manipulation) {
+    return manipulation.before.frame.poses.contains(manipulation.part) &&
+           manipulation.after.frame.poses.contains(manipulation.part);
+  }
+
+  bool HasArrived(const BoundScene& after, ActionDirection direction) const {
+    const SceneFacts& facts =
+        direction == ActionDirection::kForward ? model_.place : model_.pick;
+    return std::ranges::any_of(facts.touch, [&](const Partner& partner) {
+      return after.Touches(partner);
     });
   }
 
-  bool HavePartnersChanged(const BoundScene& before, const BoundScene& after,
-                           ActionDirection direction) const {
-    return std::ranges::all_of(partners_, [&](const Partner& partner) {
+  bool HaveChanged(const std::set<Partner>& partners, const BoundScene& before,
+                   const BoundScene& after, ActionDirection direction) const {
+    return std::ranges::all_of(partners, [&](const Partner& partner) {
       const bool touches_first = model_.pick.touch.contains(partner) ==
                                  (direction == ActionDirection::kForward);
       return before.Touches(partner) == touches_first &&
@@ -94,7 +126,9 @@ class Model final : public SecModel {
                     Tally* tally) {
     for (const Literal& literal : facts.where) {
       if (!literal.is_static) {
-        tally->Put(kLiteralWeight, scene.MustHold(literal));
+        tally->Put(kLiteralWeight, scene.MustHold(literal)  ? 1
+                                   : scene.MayHold(literal) ? kOpenShare
+                                                            : 0);
       }
     }
     for (const Partner& partner : facts.touch) {
@@ -208,6 +242,7 @@ class Model final : public SecModel {
   LiteralSet required_;         // as they are in pick
   LiteralSet changed_;          // of all roles, as they are in pick
   std::set<Partner> partners_;  // that are touched in pick or place only
+  std::set<Partner> certain_partners_;  // those of them that are no types
 };
 
 }  // namespace

@@ -68,6 +68,11 @@ class SecLearner {
   Result<size_t> Name(const Lesson& lesson, const std::string& name,
                       bool is_undone);
 
+  /// Showings with other objects join the group if their types are these, one
+  /// for each role of the group's model: wider than what was shown.
+  /// @throws std::invalid_argument for another number of types.
+  void Widen(size_t group, const std::vector<int>& types);
+
   /// By name.
   std::vector<Action> Actions() const;
   /// What was learned of the lesson's action up to now.

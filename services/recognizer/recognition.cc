@@ -4,12 +4,18 @@
 #include <iterator>
 #include <utility>
 
+#include "common/geometry/degree.h"
 #include "common/predicates/seat.h"
 #include "common/scene/scene.h"
 
 namespace cell::recognizer {
 
 using Eigen::Isometry3d;
+
+Recognition::Params Recognition::Params::Load(const Config& config) {
+  return {.moved = config.Number("moved_mm", 0, 1000) * 1e-3,
+          .turned = config.Number("turned_deg", 0, 180) * kDegree};
+}
 
 Recognition::Recognition(const SceneObjects& scene_objects,
                          const PartTable& parts,

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/config/config.h"
 #include "common/predicates/predicate_sensor.h"
 #include "common/scene/scene_objects.h"
 #include "common/sec/sec_library.h"
@@ -39,6 +40,10 @@ class Recognition {
   struct Params {
     double moved = 0.010;   ///< [m] further: the part was moved
     double turned = 0.175;  ///< [rad] more: it was moved; up to its symmetry
+
+    /// Of recognizer.yaml, the keys that are about recognition.
+    /// @throws ConfigError naming file:key.
+    static Params Load(const Config& config);
   };
 
   Recognition(const SceneObjects& scene_objects, const PartTable& parts,

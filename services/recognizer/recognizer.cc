@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
 #include "cell/action_t.hpp"
@@ -10,6 +9,7 @@
 #include "cell/library_request_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/actions/sec_models.h"
+#include "common/geometry/degree.h"
 #include "common/scene/key_frame.h"
 #include "common/task/task.h"
 
@@ -145,13 +145,14 @@ std::unique_ptr<Service> MakeRecognizer(Bus& bus,
   Recognizer::Params params{task.scene_objects,
                             {task.domain, task.parts, task.actions},
                             MakeSecLibrary,
-                            task.MakeSensor(),
+                            nullptr,
                             {},
                             false};
   const Config config = deployment.ForService("recognizer");
-  params.recognition.moved = config.Number("moved_mm", 0, 1000) * 1e-3;
-  params.recognition.turned =
-      config.Number("turned_deg", 0, 180) * std::numbers::pi / 180;
+  params.recognition = Recognition::Params::Load(config);
+  params.sensor = task.MakeSensor(PoseUncertainty::OfKeyFrames(
+      config.Number("pose_noise_mm", 0, 100) * 1e-3,
+      config.Number("pose_noise_deg", 0, 90) * kDegree));
   params.is_learning = config.Get<bool>("learning");
   config.Finish();
   return std::make_unique<Recognizer>(bus, params);
