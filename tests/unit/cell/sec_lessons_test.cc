@@ -45,6 +45,18 @@ TEST(SecLessons, TheShippedModelsAreLearnedFromTheShippedRecordings) {
   }
 }
 
+TEST(SecLessons, AFirstShowingIsAllThatIsLearnedOfAName) {
+  SecLessons lessons(ShippedDeployment());
+  for (const Recording& recording : ShippedRecordings()) {
+    lessons.AttendFirstShowings(recording);
+  }
+  const auto models = lessons.Models();
+  EXPECT_THAT(models, SizeIs(7));
+  for (const auto& [name, model] : models) {
+    EXPECT_EQ(model.NumShown(), 1) << name;
+  }
+}
+
 TEST(SecLessons, ARecordingOfAnotherTaskOrWithAWrongNameIsRefused) {
   SecLessons lessons(ShippedDeployment());
   Recording recording = ShippedRecordings().back();
