@@ -33,7 +33,7 @@ namespace cell {
 ///   1 gone                       body 1 is not there any more
 ///   said 192000 PlaceBolt        a person named the action [us]
 ///   said 288000 Turn undone      it undoes the action
-///   truth 192000 placed bolt_1 plate.hole    what the person has done [us],
+///   truth 192000 placed bolt_1 case.hole     what the person has done [us],
 ///   truth 288000 moved bolt_2                for scorers; it names no action
 ///   end 2                        number of frames, always the last line
 ///

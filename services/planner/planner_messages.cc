@@ -98,7 +98,7 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
   return sensed;
 }
 
-std::optional<DoneAction> FromMessage(const action_t& message,
+std::optional<DoneAction> FromMessage(const recognised_action_t& message,
                                       const RuleSet& rules) {
   const std::optional<int> part = rules.vocabulary().FindObject(message.part);
   constexpr int64_t kMaxUtime = int64_t{1} << 60;  // sums stay in range
@@ -117,14 +117,14 @@ std::optional<DoneAction> FromMessage(const action_t& message,
                     {*part},
                     "moving " + message.part,
                     message.pick_utime};
-  if (message.kind == action_t::UNKNOWN) return action;
+  if (message.kind == recognised_action_t::UNKNOWN) return action;
   const auto ground = rules.FindGroundAction(message.name, message.arguments);
   if (!ground) return std::nullopt;
   action.objects.insert(action.objects.end(), ground->arguments.begin(),
                         ground->arguments.end());
   action.text = rules.Show(*ground);
-  if (message.kind == action_t::FORWARD) return action;
-  if (message.kind != action_t::REVERSED) return std::nullopt;
+  if (message.kind == recognised_action_t::FORWARD) return action;
+  if (message.kind != recognised_action_t::REVERSED) return std::nullopt;
   action.text = "taking back " + action.text;
   return action;
 }

@@ -176,7 +176,9 @@ RecognisedAction Recognition::Report(const Manipulation& manipulation,
     action.direction = reading->hypothesis.direction;
     action.name = reading->hypothesis.model->action();
     action.arguments = reading->hypothesis.roles;
-    action.confidence = reading->agreement;
+    action.confidence = reading->confidence;
+  } else {
+    action.confidence = manipulation.ConfidenceInNone(after);
   }
   action.part = manipulation.part();
   action.hands.assign(manipulation.hands().begin(), manipulation.hands().end());

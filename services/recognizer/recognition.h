@@ -19,8 +19,9 @@ namespace cell::recognizer {
 /// A manipulation that was recognised.
 struct RecognisedAction {
   ActionDirection direction = ActionDirection::kUnknown;
-  std::string name;                    ///< empty if unknown
-  double confidence = 0;               ///< the agreement, 0 if unknown
+  std::string name;  ///< empty if unknown
+  /// From 0 to 1; of an unknown one: that it is none of those known.
+  double confidence = 0;
   std::vector<std::string> arguments;  ///< in the action's order
   std::string part;                    ///< what was moved
   std::vector<std::string> hands;      ///< that held it, sorted

@@ -80,8 +80,8 @@ TEST(Speaker, NamesWhatTheCellDoesNotKnow) {
   const auto demonstrations = vtb::Demonstrations::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task.parts);
   const Speaker speaker(demonstrations, task.parts);
-  action_t action{};
-  action.kind = action_t::UNKNOWN;
+  recognised_action_t action{};
+  action.kind = recognised_action_t::UNKNOWN;
   action.part = "shaft";
   const vtb::Script& assembly = demonstrations.scripts.at("assembly");
   EXPECT_EQ(speaker.Answer(action, assembly)->name, "PlaceRoundPeg");
@@ -93,7 +93,7 @@ TEST(Speaker, NamesWhatTheCellDoesNotKnow) {
   action.part = "cup";
   EXPECT_FALSE(speaker.Answer(action, assembly));
   action.part = "shaft";
-  action.kind = action_t::FORWARD;
+  action.kind = recognised_action_t::FORWARD;
   EXPECT_FALSE(speaker.Answer(action, assembly));
 }
 
