@@ -2,10 +2,12 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <net/if.h>
 #include <net/route.h>
 #include <sched.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -61,11 +63,17 @@ void JoinNamespaceOf(int pid, const std::string& kind) {
   Require(result == 0, "joining the network of process " + std::to_string(pid));
 }
 
+/// In a network that it makes. Others may in a user namespace of their own, as
+/// may root in a container that has taken this right away.
+bool MaySetUpNetworks() {
+  return geteuid() == 0 && prctl(PR_CAPBSET_READ, CAP_NET_ADMIN, 0, 0, 0) == 1;
+}
+
 }  // namespace
 
 void EnterPrivateNetwork() {
   const int flags =
-      geteuid() == 0 ? CLONE_NEWNET : CLONE_NEWUSER | CLONE_NEWNET;
+      MaySetUpNetworks() ? CLONE_NEWNET : CLONE_NEWUSER | CLONE_NEWNET;
   Require(unshare(flags) == 0,
           "making a private network (needs root or "
           "sysctl kernel.unprivileged_userns_clone=1)");

@@ -44,7 +44,11 @@ const Plan& CurrentPlan::Find(const State& state,
 }
 
 Plan CurrentPlan::FindUnblocked(const State& state) const {
-  return make_solver_({rules_, goal_, Agent::kRobot})->Find(state);
+  return MakeUnblocked()->Find(state);
+}
+
+std::unique_ptr<Solver> CurrentPlan::MakeUnblocked() const {
+  return make_solver_({rules_, goal_, Agent::kRobot});
 }
 
 std::optional<PlanOfState> CurrentPlan::TakeIfNew(const SensedState& sensed) {

@@ -25,8 +25,10 @@ class CurrentPlan {
   const Plan& Find(const State& state, const std::set<GroundAction>& blocked);
   /// The one last found, without steps before.
   const Plan& get() const { return plan_; }
-  /// Had nothing failed yet; not kept.
+  /// As if nothing had failed yet; not kept.
   Plan FindUnblocked(const State& state) const;
+  /// A solver for that.
+  std::unique_ptr<Solver> MakeUnblocked() const;
 
   /// The plan, found for this, if it is another one than the last reported.
   std::optional<PlanOfState> TakeIfNew(const SensedState& sensed);

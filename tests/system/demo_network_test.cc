@@ -64,6 +64,21 @@ TEST_F(DemoNetwork, TheOnlyDemoIsFound) {
   EXPECT_THAT(record.output, HasSubstr("messages of"));
 }
 
+// As root is in many containers.
+TEST_F(DemoNetwork, RootWithoutTheRightToSetUpNetworksRunsADemoAllTheSame) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  const std::string restricted =
+      "setpriv --bounding-set -net_admin --inh-caps -net_admin ";
+  demos_.Start("one", "/usr/bin/setpriv",
+               {"--bounding-set", "-net_admin", "--inh-caps", "-net_admin",
+                kCell, "demo", "--pace", "realtime", "--demonstration",
+                "two_pegs", "--out", (dir_ / "one").string()},
+               dir_ / "one.out");
+  ASSERT_TRUE(AwaitEpisode("one")) << TextOf(dir_ / "one.out");
+  const ShellResult hold = Shell(restricted + kCell + " hold");
+  EXPECT_EQ(hold.code, 0) << hold.output;
+}
+
 TEST_F(DemoNetwork, AmongSeveralOneChooses) {
   Start("one");
   Start("two");

@@ -1,11 +1,13 @@
 #include "services/planner/execution/act.h"
 
 #include <algorithm>
+#include <set>
 
 #include "services/planner/execution/ask.h"
 #include "services/planner/execution/await_person.h"
 #include "services/planner/execution/clean_up.h"
 #include "services/planner/execution/undecided.h"
+#include "services/planner/meanwhile.h"
 #include "services/planner/outcome_prediction.h"
 #include "services/planner/question.h"
 
@@ -69,9 +71,13 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
     case Plan::Result::kGoalReached:
       context.dialogue.OnStart();
       return std::make_unique<CleanUp>(context.params.dispatch.max_attempts);
-    default:
-      return std::make_unique<Undecided>(state);
+    case Plan::Result::kNoPlan:
+      if (BeginMeanwhile(context, state, now, out)) return nullptr;
+      break;
+    case Plan::Result::kUndecided:
+      break;
   }
+  return std::make_unique<Undecided>(state);
 }
 
 NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
@@ -93,6 +99,22 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
   context.dispatch.Start(*request, action, state, now, out);
   HandOver(context, state, now, out);
   return nullptr;
+}
+
+/// Does what does not depend on a person's help. False if there is nothing.
+bool Act::BeginMeanwhile(ExecutionContext& context, const State& state,
+                         Instant now, Decisions& out) {
+  std::set<GroundAction> blocked = context.dispatch.failures().Blocked();
+  blocked.insert(context.params.help_steps.begin(),
+                 context.params.help_steps.end());
+  const auto action = StepMeanwhile(context.plan, state, blocked);
+  if (!action) return false;
+  const auto request = RequestToArm(*action, context);
+  if (!request) return false;
+  if (context.dispatch.IsFree(request->arm)) {
+    context.dispatch.Start(*request, *action, state, now, out);
+  }
+  return true;
 }
 
 /// Lets another arm hand over what the plan needs later.

@@ -279,6 +279,56 @@ TEST_F(Bench, AsksThePersonAfterTheOnlyActionHasFailedThreeTimes) {
   EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
+TEST_F(Bench, DoesAllElseBeforeItAsksForAPartOutOfReach) {
+  arms_["right"].reachable = {"bolt_1", "bolt_2"};
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
+  Succeed("right", "In(bolt_1, hole_1)");
+  Step(10);
+  EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
+  Succeed("right", "In(bolt_2, hole_2)");
+  Step(10);
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
+  Step(kPatience);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
+  EXPECT_THAT(told_.back().text, HasSubstr("lid is out of reach"));
+}
+
+TEST_F(Bench, DoesAllElseBeforeItAsksAboutWhatHasFailedTooOften) {
+  Step(10);
+  bool is_other_hole_filled = false;
+  for (int i = 0; i < 10 && arms_["right"].request >= 0; ++i) {
+    if (asked_.back().ends_with("hole_1")) {
+      Fail("right", "the hole is bent");
+    } else {
+      is_other_hole_filled = true;
+      Succeed("right", "In(" + asked_.back().substr(14, 6) + ", hole_2)");
+    }
+    Step(10);
+  }
+  Step(kPatience);
+  EXPECT_TRUE(is_other_hole_filled);
+  ASSERT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
+  EXPECT_THAT(told_.back().text, HasSubstr("the hole is bent"));
+}
+
+// No rule says so, but a lid that is closed early keeps the bolts out.
+TEST_F(Bench, DoesNothingMeanwhileThatWouldKeepTheGoalFromBeingReached) {
+  std::string text = BenchWith(
+      "context: [\"In(_, hole_1)\", \"In(_, hole_2)\", not Closed(X)]",
+      "context: [not Closed(X)]");
+  const std::string goal = "done: [Closed(lid)]";
+  text.replace(text.find(goal), goal.size(),
+               "done: [Closed(lid), \"In(_, hole_1)\"]");
+  bench_ = BenchDomain(text);
+  Begin("done");
+  arms_["right"].reachable = {"lid"};
+  Step(10 + kPatience);
+  EXPECT_THAT(TakeAsked(), IsEmpty());
+  EXPECT_EQ(told_.back().state, ExecutionStatus::State::kStuck);
+}
+
 TEST_F(Bench, WhatIsReportedAsDoneButIsNotCountsAsAFailure) {
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(10);

@@ -97,6 +97,20 @@ class RobotPlanner : public testing::Test {
     Arm(arm).request = -1;
     Give("SKILL_RESULT", result);
   }
+  /// What does not depend on the separator.
+  void PlaceAllButTheUpperParts() {
+    const auto put = [this](const std::string& action,
+                            const std::vector<std::string>& objects) {
+      state_ = cranfield_.Do(state_, action, objects);
+    };
+    put("PlaceRoundPeg", {"round_peg_1", "base.round_1"});
+    put("PlaceRoundPeg", {"round_peg_2", "base.round_2"});
+    put("PlaceRoundPeg", {"shaft", "base.shaft"});
+    put("PlaceSquarePeg", {"square_peg_1", "base.square_1"});
+    put("PlaceSquarePeg", {"square_peg_2", "base.square_2"});
+    put("PlacePendulum", {"pendulum"});
+    put("ScrewHead", {"head"});
+  }
   arm_report_t& Arm(const std::string& name) {
     return name == "left" ? left_ : right_;
   }
@@ -234,6 +248,7 @@ TEST_F(RobotPlanner, ANewLifeGoesOnWithoutDoingAnythingTwice) {
 }
 
 TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
+  PlaceAllButTheUpperParts();
   std::erase(right_.reachable, "separator");
   --right_.num_reachable;
   Start("robot", "assembled");
@@ -255,6 +270,7 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
 }
 
 TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
+  PlaceAllButTheUpperParts();
   std::erase(right_.reachable, "separator");
   --right_.num_reachable;
   state_ = cranfield_.With(state_, {"Clear(separator)"}, Truth::kFalse);
