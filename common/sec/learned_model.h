@@ -57,9 +57,16 @@ struct LearnedModel {
 /// The narrowest type that both are.
 int CommonType(const TypeHierarchy& types, int a, int b);
 
-/// The model with the names and the order of the action's arguments, each of
-/// which is one role. Refused unless there is one argument for each role, whose
-/// type the role's is; of several ways the first.
+/// For each role the argument of an action that it is. Refused unless there is
+/// one argument for each role, whose type the role's is; of several ways the
+/// first.
+Result<std::vector<size_t>> ArgumentsOf(std::span<const Variable> roles,
+                                        std::span<const Variable> arguments,
+                                        const TypeHierarchy& types);
+
+/// The model with the action's arguments as roles, in their order and with
+/// their types: what was shown with one kind of part may be done with all that
+/// the action takes. Refused like ArgumentsOf().
 Result<LearnedModel> FitToArguments(const LearnedModel& model,
                                     std::span<const Variable> arguments,
                                     const TypeHierarchy& types);

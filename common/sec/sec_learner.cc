@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <stdexcept>
 #include <utility>
 
 #include "common/sec/role_matching.h"
@@ -126,6 +127,16 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
                            best.places, group.types.size(), source, build),
             types());
   return Lesson{found, best.direction, is_new};
+}
+
+void SecLearner::Widen(size_t group, const std::vector<int>& types) {
+  Group& widened = groups_.at(group);
+  if (types.size() != widened.types.size()) {
+    throw std::invalid_argument(fmt::format("{}: {} types for {} roles",
+                                            widened.name, types.size(),
+                                            widened.types.size()));
+  }
+  widened.types = types;
 }
 
 Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,

@@ -83,6 +83,10 @@ class SecLearner {
   /// Nothing is known of the action any more; its name, if it is made up, is
   /// not used again.
   void Forget(const std::string& name);
+  /// Showings with other objects join the group if their types are these, one
+  /// for each role of the group's model: wider than what was shown.
+  /// @throws std::invalid_argument for another number of types.
+  void Widen(size_t group, const std::vector<int>& types);
 
   /// By name.
   std::vector<Action> Actions() const;

@@ -32,6 +32,21 @@ struct ObservedManipulation {
   EventChain chain;           ///< of all pairs, from `before` to `after`
 };
 
+/// Something that a model says of a manipulation, and whether it is so.
+struct CheckedFact {
+  enum class When : int8_t {
+    kBefore,      ///< the pick-up
+    kAfter,       ///< the placement
+    kUnexplained  ///< it changed, but the model does not mention it
+  };
+  When when = When::kBefore;
+  std::string text;   ///< "touches table"
+  double weight = 0;  ///< in the agreement
+  double share = 0;   ///< that holds: 0, 1, or between if it is open
+  /// Without it there is no such action.
+  bool is_required = false;
+};
+
 /// How an action shows in a semantic event chain (section VII-A).
 class SecModel {
  public:
@@ -58,6 +73,13 @@ class SecModel {
   virtual double Agreement(const ObservedManipulation& manipulation,
                            const Roles& roles,
                            ActionDirection direction) const = 0;
+  /// What the agreement is made of, for people. Models that are not made of
+  /// facts have none.
+  virtual std::vector<CheckedFact> Check(
+      const ObservedManipulation& /*manipulation*/, const Roles& /*roles*/,
+      ActionDirection /*direction*/) const {
+    return {};
+  }
 };
 
 /// The actions that can be recognised. A manipulation is read as those models

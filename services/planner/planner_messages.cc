@@ -104,8 +104,8 @@ namespace {
 
 /// The action with the objects it was seen with; the part that was moved may
 /// stand in for what the rules take.
-std::optional<GroundAction> ObservedAction(const action_t& message, int part,
-                                           const RuleSet& rules) {
+std::optional<GroundAction> ObservedAction(const recognised_action_t& message,
+                                           int part, const RuleSet& rules) {
   const Vocabulary& vocabulary = rules.vocabulary();
   const auto index = FindAction(rules.actions(), message.name);
   if (!index) return std::nullopt;
@@ -126,7 +126,7 @@ std::optional<GroundAction> ObservedAction(const action_t& message, int part,
 
 }  // namespace
 
-std::optional<DoneAction> FromMessage(const action_t& message,
+std::optional<DoneAction> FromMessage(const recognised_action_t& message,
                                       const RuleSet& rules) {
   const std::optional<int> part = rules.vocabulary().FindObject(message.part);
   constexpr int64_t kMaxUtime = int64_t{1} << 60;  // sums stay in range
@@ -145,14 +145,14 @@ std::optional<DoneAction> FromMessage(const action_t& message,
                     {*part},
                     "moving " + message.part,
                     message.pick_utime};
-  if (message.kind == action_t::UNKNOWN) return action;
+  if (message.kind == recognised_action_t::UNKNOWN) return action;
   const auto ground = ObservedAction(message, *part, rules);
   if (!ground) return std::nullopt;
   action.objects.insert(action.objects.end(), ground->arguments.begin(),
                         ground->arguments.end());
   action.text = rules.Show(*ground);
-  if (message.kind == action_t::FORWARD) return action;
-  if (message.kind != action_t::REVERSED) return std::nullopt;
+  if (message.kind == recognised_action_t::FORWARD) return action;
+  if (message.kind != recognised_action_t::REVERSED) return std::nullopt;
   action.text = "taking back " + action.text;
   return action;
 }

@@ -71,13 +71,16 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
         "touches"};
   }
   const SecLearner::Action shown = learner_.ActionOf(*last_);
-  if (const ActionModel* known = Find(actions, name)) {
-    const auto fitted = FitToArguments(shown.model, known->action.arguments,
-                                       actions.domain().vocabulary().types());
-    if (!fitted) return Reason{name + ": " + fitted.reason()};
+  const ActionModel* known = Find(actions, name);
+  const TypeHierarchy& types = actions.domain().vocabulary().types();
+  if (known != nullptr) {
+    const auto fitting =
+        ArgumentsOf(shown.model.roles, known->action.arguments, types);
+    if (!fitting) return Reason{name + ": " + fitting.reason()};
   }
   const Result<size_t> group = learner_.Name(*last_, name, is_undone);
   if (!group) return Reason{group.reason()};
+  if (known != nullptr) WidenTo(known->action.arguments, *group, types);
   last_ = SecLearner::Lesson{
       *group,
       is_undone ? ActionDirection::kReversed : ActionDirection::kForward,
@@ -85,6 +88,18 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
   if (!shown.is_named) renamed_.insert(shown.name);
   has_news_ = true;
   return fmt::format("what was shown {} {}", is_undone ? "undoes" : "is", name);
+}
+
+/// What is recognised as the action from now on is a showing of it, too.
+void Learning::WidenTo(const std::vector<Variable>& arguments, size_t group,
+                       const TypeHierarchy& types) {
+  const LearnedModel model =
+      learner_.ActionOf({group, ActionDirection::kForward, false}).model;
+  const auto order = ArgumentsOf(model.roles, arguments, types);
+  if (!order) return;
+  std::vector<int> wide;
+  for (const size_t argument : *order) wide.push_back(arguments[argument].type);
+  learner_.Widen(group, wide);
 }
 
 void Learning::OnRecord(const std::string& name, const ActionModels& actions) {

@@ -41,6 +41,8 @@ class Learning {
   void OnRefusal() { requested_.clear(); }
 
  private:
+  void WidenTo(const std::vector<Variable>& arguments, size_t group,
+               const TypeHierarchy& types);
   std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,
                                        const ActionModels& actions,
                                        bool keeps_confirmations) const;

@@ -43,6 +43,7 @@ void AddRecord(CLI::App& app, Action* action);
 void AddLog(CLI::App& app, Action* action);
 void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);
+void AddExplain(CLI::App& app, Action* action);
 void AddSec(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
 void AddLearn(CLI::App& app, Action* action);

@@ -116,10 +116,10 @@ class SubstitutionEvaluation final : public Evaluation {
       ++num_placed;
       const std::vector<std::string> arguments = {truth.part, truth.site};
       const std::string name = NameOf(truth, demonstrations, task.parts);
-      num_recognised +=
-          std::ranges::any_of(record.actions, [&](const action_t& action) {
-            return action.kind == action_t::FORWARD && action.name == name &&
-                   action.arguments == arguments;
+      num_recognised += std::ranges::any_of(
+          record.actions, [&](const recognised_action_t& action) {
+            return action.kind == recognised_action_t::FORWARD &&
+                   action.name == name && action.arguments == arguments;
           });
       num_sensed += predicates.HoldsOf(arguments);
     }

@@ -111,6 +111,37 @@ TEST_F(LearnedLibraryTest, WithoutPredicatesTheRelationsMustChange) {
   EXPECT_THAT(agreements_, IsEmpty());
 }
 
+/// Poses that cannot tell whether anything is seated.
+class NoisyLibraryTest : public LearnedLibraryTest {
+ protected:
+  Demonstration noisy_{[this](const ObservedManipulation& manipulation,
+                              const auto&) { Judge(manipulation); },
+                       {.position = 0.002}};
+};
+
+TEST_F(NoisyLibraryTest, RelationsDecideWhatPosesLeaveOpen) {
+  Learn();
+  noisy_.Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(agreements_,
+              ElementsAre(Pair("Insert base.round_1", DoubleEq(7.0 / 8))));
+  noisy_.Stand("round_peg_1", 0.2, -0.3);
+  EXPECT_THAT(agreements_,
+              ElementsAre(Pair("unInsert base.round_1", DoubleEq(7.0 / 8))));
+  noisy_.Stand("round_peg_1", 0.3, -0.3);
+  EXPECT_THAT(agreements_, IsEmpty());
+}
+
+// It touches the site's host before and after.
+TEST_F(NoisyLibraryTest, WithoutAChangeOfRelationsNothingIsDecided) {
+  Learn();
+  const Eigen::Isometry3d above(Eigen::Translation3d(0, 0, 0.002));
+  noisy_.stage().Seat("round_peg_1", "base.round_1");
+  noisy_.Manipulate("round_peg_1", [&] {
+    noisy_.stage().Seat("round_peg_1", "base.round_1", above);
+  });
+  EXPECT_THAT(agreements_, IsEmpty());
+}
+
 TEST_F(LearnedLibraryTest, OnlyWhatFitsTakesPart) {
   Learn();
   const LearnedLibrary library(entries_, show_.words());

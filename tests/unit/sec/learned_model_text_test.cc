@@ -143,12 +143,24 @@ TEST_F(LearnedModelText, FitsTheArgumentsOfAnActionInTheirOrder) {
   const auto fitted = FitToArguments(model, arguments, types);
   ASSERT_TRUE(fitted) << fitted.reason();
   EXPECT_THAT(ToText(*fitted, words_.vocabulary),
-              HasSubstr("roles: {H: cylindrical_hole, P: cylindrical_peg}\n"
+              HasSubstr("roles: {H: hole, P: peg}\n"
                         "moved: P\n"));
   EXPECT_THAT(ToText(*fitted, words_.vocabulary), HasSubstr("PegInHole(P, H)"));
   EXPECT_THAT(FitToArguments(model, {arguments.data(), 1}, types).reason(),
               HasSubstr("(cylindrical_peg, cylindrical_hole), but takes "
                         "(hole)"));
+}
+
+TEST_F(LearnedModelText, WhatIsFittedTakesAllThatTheActionTakes) {
+  const auto& types = words_.vocabulary.types();
+  LearnedModel model;
+  model.roles = {{"X", *types.Find("shaft")}, {"Y", *types.Find("shaft_hole")}};
+  const std::vector<Variable> arguments = {
+      {"H", *types.Find("hole")}, {"P", *types.Find("cylindrical_peg")}};
+  const auto fitted = FitToArguments(model, arguments, types);
+  ASSERT_TRUE(fitted) << fitted.reason();
+  EXPECT_EQ(fitted->roles, arguments);
+  EXPECT_EQ(fitted->moved, 1u);
 }
 
 TEST_F(LearnedModelText, TheNarrowestCommonTypeIsFound) {
