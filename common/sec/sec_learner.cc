@@ -73,7 +73,7 @@ void SecLearner::Know(const std::string& name, const LearnedModel& model) {
   for (size_t i = 0; i < model.roles.size(); ++i) {
     places.push_back(i == model.moved ? 0 : next++);
   }
-  ShowingGroup known{name, !IsMadeUp(name), {}, {}, {}, {}, {}};
+  ShowingGroup known{.name = name, .is_named = !IsMadeUp(name)};
   for (const Contribution& contribution : model.taught) {
     known.Add(Renamed(contribution, places), types());
   }
@@ -113,13 +113,8 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
     for (size_t role = 0; role < showing->types.size(); ++role) {
       best.places.push_back(role);
     }
-    groups_.push_back({fmt::format("{}{}", kMadeUp, ++num_made_up_),
-                       false,
-                       showing->types,
-                       {},
-                       {},
-                       {},
-                       {}});
+    groups_.push_back({.name = fmt::format("{}{}", kMadeUp, ++num_made_up_),
+                       .types = showing->types});
   }
   ShowingGroup& group = groups_[found];
   const bool is_forward = best.direction == ActionDirection::kForward;
@@ -129,14 +124,14 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
   return Lesson{found, best.direction, is_new};
 }
 
-void SecLearner::Widen(size_t group, const std::vector<int>& types) {
-  Group& widened = groups_.at(group);
-  if (types.size() != widened.types.size()) {
+void SecLearner::Widen(size_t group, const std::vector<int>& wider) {
+  ShowingGroup& widened = groups_.at(group);
+  if (wider.size() != widened.types.size()) {
     throw std::invalid_argument(fmt::format("{}: {} types for {} roles",
-                                            widened.name, types.size(),
+                                            widened.name, wider.size(),
                                             widened.types.size()));
   }
-  widened.types = types;
+  widened.Widen(wider, types());
 }
 
 Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,

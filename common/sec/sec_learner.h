@@ -86,7 +86,7 @@ class SecLearner {
   /// Showings with other objects join the group if their types are these, one
   /// for each role of the group's model: wider than what was shown.
   /// @throws std::invalid_argument for another number of types.
-  void Widen(size_t group, const std::vector<int>& types);
+  void Widen(size_t group, const std::vector<int>& wider);
 
   /// By name.
   std::vector<Action> Actions() const;

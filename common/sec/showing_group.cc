@@ -84,6 +84,12 @@ void ShowingGroup::Absorb(const ShowingGroup& other, const RoleMap& places,
   }
 }
 
+void ShowingGroup::Widen(const std::vector<int>& wider,
+                         const TypeHierarchy& hierarchy) {
+  least_types = wider;
+  Share(hierarchy);
+}
+
 Result<bool> ShowingGroup::TakeBack(const std::string& demonstration,
                                     const TypeHierarchy& hierarchy) {
   const auto found = std::ranges::find_if(taught, [&](const auto& known) {
@@ -112,6 +118,11 @@ void ShowingGroup::Share(const TypeHierarchy& hierarchy) {
   }
   if (!all) all.emplace();
   types = all->types;
+  if (types.size() == least_types.size()) {
+    for (size_t i = 0; i < types.size(); ++i) {
+      types[i] = CommonType(hierarchy, types[i], least_types[i]);
+    }
+  }
   pick = all->pick;
   place = all->place;
   chain = all->chain;

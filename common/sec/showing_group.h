@@ -24,6 +24,7 @@ struct ShowingGroup {
   SceneFacts pick, place;            ///< what all showings share
   EventChain chain;                  ///< of the first showing
   std::vector<Contribution> taught;  ///< in the order of the demonstrations
+  std::vector<int> least_types;      ///< types are these or wider; may be empty
 
   bool is_gone() const { return types.empty(); }
   std::map<std::string, int> Shown() const;
@@ -35,6 +36,8 @@ struct ShowingGroup {
   /// @pre all its roles have a place.
   void Absorb(const ShowingGroup& other, const RoleMap& places,
               const TypeHierarchy& hierarchy);
+  /// @pre one type for each role
+  void Widen(const std::vector<int>& wider, const TypeHierarchy& hierarchy);
   /// Forgets what the demonstration has taught; nothing remains of a group that
   /// no other has taught. True if it has taught any of it. Refused if it cannot
   /// be told from what others have taught.
