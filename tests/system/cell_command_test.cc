@@ -249,6 +249,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "plan",
                               "rules",
                               "rules learn",
+                              "rules record",
                               "rules show",
                               "rules export",
                               "eval rules",

@@ -16,6 +16,7 @@
 #include "common/recordings/recording_text.h"
 #include "common/text/counted.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/learn_rules.h"
 #include "services/cell/learning/sec_lessons.h"
 #include "services/cell/learning/teaching.h"
 #include "services/vtb/script.h"
@@ -97,9 +98,10 @@ int LearnSec(const LearnOptions& options) {
 void AddLearn(CLI::App& app, Action* action) {
   CLI::App* learn =
       app.add_subcommand("learn",
-                         "Learn from recorded demonstrations.\n"
+                         "Learn from recorded demonstrations and runs.\n"
                          "Example: cell learn sec --out sec_models.yaml");
   learn->require_subcommand(1);
+  AddLearnRules(*learn, action);
   auto options = std::make_shared<LearnOptions>();
   CLI::App* sec = learn->add_subcommand(
       "sec",

@@ -1,0 +1,253 @@
+#include "common/experiences/rule_lessons.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "common/rules/learning/learner.h"
+
+namespace cell {
+namespace {
+
+using rules::Comparison;
+using rules::Experience;
+
+/// Of those that hold as often as not, none of a hundred literals is likely to
+/// hold before each of so many successes by accident.
+constexpr size_t kMinSuccesses = 12;
+
+/// Calls visit(literal) for both polarities of every predicate with every
+/// choice of terms.
+void ForEachLiteral(const std::vector<rules::Term>& terms,
+                    const rules::World& world,
+                    const std::function<void(const rules::Literal&)>& visit) {
+  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
+    const rules::Symbol& symbol = world.symbols().all()[s];
+    if (symbol.kind != rules::Symbol::Kind::kPrimitive || symbol.is_integer) {
+      continue;
+    }
+    size_t number = 1;
+    for (int i = 0; i < symbol.arity; ++i) number *= terms.size();
+    for (size_t code = 0; code < number; ++code) {
+      rules::Literal literal;
+      literal.symbol = static_cast<int>(s);
+      size_t rest = code;
+      for (int i = 0; i < symbol.arity; ++i) {
+        literal.terms.push_back(terms[rest % terms.size()]);
+        rest /= terms.size();
+      }
+      for (const Comparison truth : {Comparison::kTrue, Comparison::kFalse}) {
+        literal.comparison = truth;
+        visit(literal);
+      }
+    }
+  }
+}
+
+std::vector<rules::Term> TermsOf(const rules::Rule& rule,
+                                 const rules::World& world) {
+  std::vector<rules::Term> terms;
+  for (size_t i = 0; i < rule.arguments.size(); ++i) {
+    terms.push_back({rules::Term::Kind::kVariable, static_cast<int>(i)});
+  }
+  for (int i = 0; i < world.num_constants(); ++i) {
+    terms.push_back({rules::Term::Kind::kObject, i});
+  }
+  terms.push_back({rules::Term::Kind::kAny, 0});
+  return terms;
+}
+
+/// True if `a` holds wherever `b` does, by its words: "not On(X, _)" says more
+/// than "not On(X, a)", and "On(X, a)" more than "On(X, _)".
+bool Follows(const rules::Literal& a, const rules::Literal& b) {
+  if (a == b || a.symbol != b.symbol || a.comparison != b.comparison) {
+    return false;
+  }
+  const rules::Literal& general = a.comparison == Comparison::kTrue ? a : b;
+  const rules::Literal& special = a.comparison == Comparison::kTrue ? b : a;
+  for (size_t i = 0; i < a.terms.size(); ++i) {
+    if (general.terms[i] != special.terms[i] &&
+        general.terms[i].kind != rules::Term::Kind::kAny) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool NamesAnArgument(const rules::Literal& literal) {
+  return std::ranges::any_of(literal.terms, [](const rules::Term& term) {
+    return term.kind == rules::Term::Kind::kVariable;
+  });
+}
+
+bool NamesNothing(const rules::Literal& literal) {
+  return std::ranges::all_of(literal.terms, [](const rules::Term& term) {
+    return term.kind == rules::Term::Kind::kAny;
+  });
+}
+
+/// All objects that the types of the rule's action allow.
+std::vector<std::vector<int>> BindingsOf(const rules::Rule& rule,
+                                         const rules::WorldState& state,
+                                         const rules::World& world) {
+  std::vector<std::vector<int>> bindings;
+  for (const rules::GroundAct& act : rules::GroundActs(world, state)) {
+    if (act.action == rule.action) bindings.push_back(act.arguments);
+  }
+  return bindings;
+}
+
+/// True if the literal does not hold before some experience, for some objects
+/// of the action.
+bool IsTelling(const rules::Literal& literal,
+               const std::vector<std::vector<int>>& bindings,
+               std::span<const Experience> experiences,
+               const rules::World& world) {
+  return std::ranges::any_of(experiences, [&](const Experience& e) {
+    return std::ranges::any_of(bindings, [&](const auto& binding) {
+      return !rules::Holds(literal, binding, e.before, world) ||
+             !rules::Holds(literal, binding, e.after, world);
+    });
+  });
+}
+
+void MakeUnsure(const std::vector<int>& counts, rules::NdrRules* rules) {
+  for (size_t i = 0; i < rules->rules.size(); ++i) {
+    rules::Rule& rule = rules->rules[i];
+    const double share = counts[i] / (counts[i] + 1.0);
+    double sum = 0;
+    for (rules::Outcome& outcome : rule.outcomes) {
+      outcome.probability *= share;
+      sum += outcome.probability;
+    }
+    rule.noise = 1 - sum;
+  }
+}
+
+/// Those there are, and the reversed ones of actions that were never done.
+std::vector<Experience> WithReversed(std::span<const Experience> experiences,
+                                     const RuleWorld& world) {
+  std::vector<Experience> all(experiences.begin(), experiences.end());
+  std::set<int> known;
+  for (const Experience& e : experiences) known.insert(e.act.action);
+  for (const Action& action : world.actions()) {
+    const int symbol = *world.world()->symbols().Find(action.name);
+    if (!action.undoes || known.contains(symbol)) continue;
+    const std::string& undone =
+        world.actions()[static_cast<size_t>(*action.undoes)].name;
+    for (const Experience& e : experiences) {
+      if (world.world()->symbols()[e.act.action].name == undone) {
+        all.push_back(Reversed(e, symbol));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+rules::Experience OwnChanges(const rules::Experience& experience,
+                             const RuleWorld& world) {
+  const rules::World& w = *world.world();
+  Experience own = experience;
+  const auto is_own = [&](int object) {
+    return object < w.num_constants() ||
+           std::ranges::count(experience.act.arguments, object) > 0;
+  };
+  for (size_t s = 0; s < w.symbols().all().size(); ++s) {
+    const int symbol = static_cast<int>(s);
+    if (w.symbols()[symbol].kind != rules::Symbol::Kind::kPrimitive) continue;
+    for (int i = 0; i < w.num_places(symbol); ++i) {
+      const int place = w.first(symbol) + i;
+      const bool before = rules::World::Get(experience.before, place);
+      if (before != rules::World::Get(experience.after, place) &&
+          !std::ranges::all_of(w.ObjectsAt(symbol, place), is_own)) {
+        rules::World::Set(&own.after, place, before);
+      }
+    }
+  }
+  return own;
+}
+
+rules::Experience Reversed(const rules::Experience& experience, int action) {
+  return {
+      experience.after, {action, experience.act.arguments}, experience.before};
+}
+
+void Specialize(std::span<const rules::Experience> experiences,
+                std::span<const int> landmarks, const rules::World& world,
+                rules::Rule* rule) {
+  std::vector<const Experience*> successes;
+  for (const Experience& e : experiences) {
+    if (e.act.action == rule->action && e.before != e.after &&
+        rules::Bind(*rule, e.act.arguments, e.before, world)) {
+      successes.push_back(&e);
+    }
+  }
+  if (successes.empty()) return;
+  const auto bindings = BindingsOf(*rule, successes.front()->before, world);
+  std::vector<rules::Literal> shared;
+  ForEachLiteral(
+      TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
+        if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses)
+          return;
+        if (NamesNothing(literal) &&
+            std::ranges::count(landmarks, literal.symbol) == 0) {
+          return;
+        }
+        const bool is_shared =
+            std::ranges::all_of(successes, [&](const Experience* e) {
+              return rules::Holds(literal, e->act.arguments, e->before, world);
+            });
+        if (is_shared && IsTelling(literal, bindings, experiences, world)) {
+          shared.push_back(literal);
+        }
+      });
+  for (const rules::Literal& literal : rule->context) {
+    if (std::ranges::count(shared, literal) == 0) shared.push_back(literal);
+  }
+  rule->context.clear();
+  for (const rules::Literal& literal : shared) {
+    if (std::ranges::none_of(shared, [&](const rules::Literal& other) {
+          return Follows(literal, other);
+        })) {
+      rule->context.push_back(literal);
+    }
+  }
+}
+
+std::vector<int> GoalPredicates(std::span<const Goal> goals) {
+  std::set<int> predicates;
+  for (const Goal& goal : goals) {
+    for (const Literal& literal : goal.literals) {
+      predicates.insert(literal.relation);
+    }
+  }
+  return {predicates.begin(), predicates.end()};
+}
+
+rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
+                           std::span<const int> goal_predicates,
+                           const RuleWorld& world) {
+  std::vector<Experience> own;
+  for (const Experience& e : WithReversed(experiences, world)) {
+    own.push_back(OwnChanges(e, world));
+  }
+  rules::Learner learner(world.world(), rules::LearnerOptions());
+  for (const Experience& e : own) learner.Add(e);
+  learner.Learn();
+  rules::NdrRules rules = learner.Rules();
+  std::vector<int> landmarks;
+  for (const int predicate : goal_predicates) {
+    landmarks.push_back(*world.world()->symbols().Find(
+        world.vocabulary().predicates()[static_cast<size_t>(predicate)].name));
+  }
+  MakeUnsure(learner.RuleCounts(), &rules);
+  for (rules::Rule& rule : rules.rules) {
+    Specialize(own, landmarks, *world.world(), &rule);
+  }
+  return rules;
+}
+
+}  // namespace cell
