@@ -45,6 +45,22 @@ YAML::Node Block(const std::string& text, const std::string& where) {
   throw ConfigError(where + ": not one complete YAML document");
 }
 
+[[noreturn]] void Fail(const ActionRecord& record, const std::string& key,
+                       const std::string& what) {
+  throw ConfigError(record.name + ":" + key + ": " + what);
+}
+
+void RequireNothingSaid(const ActionRecord& record) {
+  for (const std::string* text :
+       {&record.undoes, &record.sec, &record.rules, &record.robot,
+        &record.skill, &record.skill_settings}) {
+    if (text->empty()) continue;
+    Fail(record, "agents",
+         "names no agent: that removes the action, but more is said of it; "
+         "name person, robot, or both");
+  }
+}
+
 /// The action in the form of a task's domain.yaml, with its event chain and
 /// without `undoes`.
 Config ConfigOf(const ActionRecord& record) {
@@ -56,6 +72,12 @@ Config ConfigOf(const ActionRecord& record) {
                         "'");
     }
     node["arguments"][name] = type;
+  }
+  if (record.is_removed()) {
+    RequireNothingSaid(record);
+    node["agents"].push_back("person");  // read, and dropped then
+    node["rules"] = YAML::Node(YAML::NodeType::Sequence);
+    return Config::Parse(YAML::Dump(node), record.name, false);
   }
   node["agents"] = record.agents;
   const std::pair<const char*, const std::string*> blocks[] = {
@@ -72,11 +94,6 @@ Config ConfigOf(const ActionRecord& record) {
     if (!text->empty()) node[key] = Block(*text, record.name + ":" + key);
   }
   return Config::Parse(YAML::Dump(node), record.name, false);
-}
-
-[[noreturn]] void Fail(const ActionRecord& record, const std::string& key,
-                       const std::string& what) {
-  throw ConfigError(record.name + ":" + key + ": " + what);
 }
 
 std::optional<int> FindUndone(const ActionRecord& record, const Action& action,
@@ -115,9 +132,11 @@ void RequireSameArguments(const ActionRecord& record, const Action& action,
 
 Action ActionFrom(const Config& config, const ActionRecord& record,
                   const Domain& domain) {
-  if (record.agents.empty()) Fail(record, "agents", "names no agent");
-  if (record.rules.empty()) Fail(record, "rules", "missing");
+  if (record.rules.empty() && !record.is_removed()) {
+    Fail(record, "rules", "missing");
+  }
   Action action = LoadAction(record.name, config, domain.vocabulary());
+  if (record.is_removed()) action.agents.clear();
   RequireSameArguments(record, action, domain);
   action.undoes = FindUndone(record, action, domain);
   return action;

@@ -133,7 +133,7 @@ ActionRecord WriteActionModel(const ActionModel& model, const Domain& domain) {
   record.agents = NamesOf(action.agents);
   if (action.undoes) record.undoes = domain.actions()[*action.undoes].name;
   if (model.sec) record.sec = ToText(*model.sec, domain.vocabulary());
-  record.rules = writer.Rules();
+  if (!action.agents.empty()) record.rules = writer.Rules();
   if (action.skill) record.skill = writer.Skill(*action.skill);
   record.skill_settings = model.skill_settings;
   return record;

@@ -22,14 +22,21 @@ struct ActionRecord {
   int64_t version = 1;  ///< counts the records of this name from 1
   std::string name;     ///< its symbol
   std::vector<Argument> arguments;
-  std::vector<std::string> agents;  ///< person, robot
+  std::vector<std::string> agents;  ///< person, robot; none: it is removed
   std::string undoes;  ///< name of the action that it takes back; empty: none
   std::string sec;     ///< how it is recognised; empty: never
   std::string rules;   ///< what it does
   std::string robot;   ///< what a robot needs and does besides
   std::string skill;   ///< how an arm does it; empty: no arm can
   std::string skill_settings;  ///< section of the task's skills.yaml
+
+  /// It stays known that there was such an action: its name, arguments and
+  /// version. Nothing else is said of it, and nobody does it.
+  bool is_removed() const { return agents.empty(); }
   bool operator==(const ActionRecord&) const = default;
 };
+
+/// The next version of the record, by which it is removed.
+ActionRecord Removed(const ActionRecord& record);
 
 }  // namespace cell

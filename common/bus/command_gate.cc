@@ -10,8 +10,8 @@ namespace {
 
 /// Commands that other services than the first take. A fixed list, so that
 /// nobody can fill the bus with channels of his own making.
-constexpr std::array<std::string_view, 3> kPassedOn = {
-    "COMMAND_GOAL", "COMMAND_MODE", "COMMAND_NAME"};
+constexpr std::array<std::string_view, 4> kPassedOn = {
+    "COMMAND_GOAL", "COMMAND_LIBRARY", "COMMAND_MODE", "COMMAND_NAME"};
 
 bool IsPassedOn(const std::string& channel) {
   return std::find(kPassedOn.begin(), kPassedOn.end(), channel) !=

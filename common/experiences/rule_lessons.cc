@@ -190,8 +190,9 @@ void Specialize(std::span<const rules::Experience> experiences,
   std::vector<rules::Literal> shared;
   ForEachLiteral(
       TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
-        if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses)
+        if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses) {
           return;
+        }
         if (NamesNothing(literal) &&
             std::ranges::count(landmarks, literal.symbol) == 0) {
           return;

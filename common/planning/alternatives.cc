@@ -72,4 +72,26 @@ Alternatives Either(Alternatives a, const Alternatives& b) {
   return {Conjunction{{}, {clause}}};
 }
 
+Alternatives Neither(const Alternatives& alternatives) {
+  Alternatives none = True();
+  for (const Conjunction& conjunction : alternatives) {
+    Alternatives broken;
+    const auto add = [&](Alternatives one) {
+      broken = broken.empty() ? std::move(one) : Either(std::move(broken), one);
+    };
+    for (const Literal& l : conjunction.literals) {
+      add({Conjunction{{{l.atom, !l.value}}, {}}});
+    }
+    for (const auto& clause : conjunction.clauses) {
+      Conjunction all_false;
+      for (const Literal& l : clause) {
+        all_false.literals.push_back({l.atom, !l.value});
+      }
+      add({all_false});
+    }
+    none = Both(none, broken);
+  }
+  return none;
+}
+
 }  // namespace cell::planning

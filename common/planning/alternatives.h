@@ -17,5 +17,7 @@ Alternatives False();
 Alternatives Both(const Alternatives& a, const Alternatives& b);
 /// Holds if one does. Two single literals or clauses make one clause.
 Alternatives Either(Alternatives a, const Alternatives& b);
+/// Holds if none of the alternatives does.
+Alternatives Neither(const Alternatives& alternatives);
 
 }  // namespace cell::planning

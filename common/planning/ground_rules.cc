@@ -131,30 +131,6 @@ class RuleGrounder {
     return instances;
   }
 
-  /// When none of the alternatives holds.
-  static Alternatives Neither(const Alternatives& alternatives) {
-    Alternatives none = True();
-    for (const Conjunction& conjunction : alternatives) {
-      Alternatives broken;
-      const auto add = [&](Alternatives one) {
-        broken =
-            broken.empty() ? std::move(one) : Either(std::move(broken), one);
-      };
-      for (const Literal& l : conjunction.literals) {
-        add({Conjunction{{{l.atom, !l.value}}, {}}});
-      }
-      for (const auto& clause : conjunction.clauses) {
-        Conjunction all_false;
-        for (const Literal& l : clause) {
-          all_false.literals.push_back({l.atom, !l.value});
-        }
-        add({all_false});
-      }
-      none = Both(none, broken);
-    }
-    return none;
-  }
-
   void AddAction(const cell::GroundAction& action) {
     const std::vector<Instance> instances = InstancesOf(action);
     for (const Instance& instance : instances) {

@@ -1,6 +1,7 @@
 #include "common/predicates/predicate_sensor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,12 +33,14 @@ bool Fits(const Part& part, const Site& site) {
 PredicateSensor::PredicateSensor(const Vocabulary& vocabulary,
                                  const PartTable& parts,
                                  const Eigen::AlignedBox3d& workspace,
-                                 std::vector<PredicateGeometry> geometries)
+                                 std::vector<PredicateGeometry> geometries,
+                                 const PoseUncertainty& uncertainty)
     : vocabulary_(vocabulary),
       parts_(parts),
       workspace_(workspace),
       shapes_(ShapesOf(parts)),
-      geometries_(std::move(geometries)) {
+      geometries_(std::move(geometries)),
+      uncertainty_(uncertainty) {
   for (const Object& object : vocabulary_.objects()) {
     part_of_object_.push_back(IndexOfPart(object.name));
     site_of_object_.push_back(parts_.FindSite(object.name));
@@ -87,8 +90,9 @@ Truth PredicateSensor::SenseKind(const SeatedGeometry& seated,
                            ? item.touches[host]
                            : std::find(item.touches.begin(), item.touches.end(),
                                        true) != item.touches.end();
-  return FromBool(touches && IsSeated(X_SO, parts_.parts()[part].symmetry_order,
-                                      seated.tolerance));
+  if (!touches) return Truth::kFalse;
+  return SeatedTruth(X_SO, parts_.parts()[part].symmetry_order,
+                     seated.tolerance, uncertainty_);
 }
 
 template <>
@@ -97,7 +101,9 @@ Truth PredicateSensor::SenseKind(const TiltedGeometry& tilted,
                                  const View& view) const {
   const Scene::Item& item = view.scene.items[PartOf(atom.objects[0])];
   if (item.visibility != Visibility::kSeen) return Truth::kUnknown;
-  return FromBool(TiltOf(item.X_WO) > tilted.over);
+  const double excess = TiltOf(item.X_WO) - tilted.over;
+  if (std::abs(excess) < uncertainty_.rotation) return Truth::kUnknown;
+  return FromBool(excess > 0);
 }
 
 template <>

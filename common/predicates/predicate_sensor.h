@@ -17,13 +17,15 @@ namespace cell {
 /// the domain gives them: a function of that scene alone, without memory
 /// (section VII-B). A part that a hand carries - held, and not seated anywhere
 /// - blocks no site. What depends on a part that is not tracked is unknown, and
-/// so is what arms report.
+/// so is what arms report, and whether a part is seated or tilted if that lies
+/// within the poses' uncertainty.
 class PredicateSensor {
  public:
   /// @pre one of `geometries` for each predicate of the vocabulary.
   PredicateSensor(const Vocabulary& vocabulary, const PartTable& parts,
                   const Eigen::AlignedBox3d& workspace,
-                  std::vector<PredicateGeometry> geometries);
+                  std::vector<PredicateGeometry> geometries,
+                  const PoseUncertainty& uncertainty = {});
   PredicateSensor(const PredicateSensor&) = delete;  // points into itself
   PredicateSensor& operator=(const PredicateSensor&) = delete;
 
@@ -66,6 +68,7 @@ class PredicateSensor {
   std::vector<size_t> part_of_object_;         // of parts
   std::vector<const Site*> site_of_object_;    // of sites
   std::vector<PredicateGeometry> geometries_;  // of each predicate
+  PoseUncertainty uncertainty_;
 };
 
 }  // namespace cell

@@ -39,6 +39,20 @@ bool IsSeated(const Eigen::Isometry3d& X_SO, int symmetry_order,
   return std::abs(std::remainder(yaw, period)) <= tolerance.yaw;
 }
 
+Truth SeatedTruth(const Eigen::Isometry3d& X_SO, int symmetry_order,
+                  const SeatTolerance& tolerance,
+                  const PoseUncertainty& uncertainty) {
+  const auto with_margin = [&](double sign) {
+    return SeatTolerance{tolerance.z + sign * uncertainty.position,
+                         tolerance.xy + sign * uncertainty.position,
+                         tolerance.tilt + sign * uncertainty.rotation,
+                         tolerance.yaw + sign * uncertainty.rotation};
+  };
+  if (IsSeated(X_SO, symmetry_order, with_margin(-1))) return Truth::kTrue;
+  return IsSeated(X_SO, symmetry_order, with_margin(1)) ? Truth::kUnknown
+                                                        : Truth::kFalse;
+}
+
 double VisibleAngle(const Eigen::Isometry3d& X_AB, int symmetry_order) {
   if (symmetry_order == 0) return AngleOfAxes(X_AB);
   const Eigen::Quaterniond q_AB(X_AB.linear());

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "common/config/config.h"
+#include "common/relational/state.h"
 
 namespace cell {
 
@@ -21,6 +22,23 @@ struct SeatTolerance {
 /// part's symmetry (0: any rotation about z, else n-fold) and the tolerance.
 bool IsSeated(const Eigen::Isometry3d& X_SO, int symmetry_order,
               const SeatTolerance& tolerance);
+
+/// How far a pose may be from the truth, as far as can be told. SI units.
+struct PoseUncertainty {
+  double position = 0;  ///< [m] of each coordinate
+  double rotation = 0;  ///< [rad] about each axis
+
+  /// Of key frames that are made of tracks with this noise: three standard
+  /// deviations, as what has just come to rest may hardly be smoothed.
+  static PoseUncertainty OfKeyFrames(double position_sd, double rotation_sd) {
+    return {3 * position_sd, 3 * rotation_sd};
+  }
+};
+
+/// IsSeated() of all poses that X_SO may stand for: unknown if it depends.
+Truth SeatedTruth(const Eigen::Isometry3d& X_SO, int symmetry_order,
+                  const SeatTolerance& tolerance,
+                  const PoseUncertainty& uncertainty);
 
 /// [rad] Rotation from A to B, of two frames of one part, that can be seen:
 /// the least of all that differ by a rotation which leaves the part as it is.

@@ -33,6 +33,8 @@ namespace cell {
 ///   1 gone                       body 1 is not there any more
 ///   said 192000 PlaceBolt        a person named the action [us]
 ///   said 288000 Turn undone      it undoes the action
+///   truth 192000 placed bolt_1 case.hole     what the person has done [us],
+///   truth 288000 moved bolt_2                for scorers; it names no action
 ///   end 2                        number of frames, always the last line
 ///
 /// A body that has no row in a frame is where it was in the last one, and not
@@ -50,6 +52,23 @@ struct Recording {
     bool is_undone = false;  ///< what was shown undoes the action
   };
 
+  /// What the person has done, known because it was simulated: for scorers. No
+  /// estimator and no learner reads it.
+  struct TrueAction {
+    enum class Kind : int8_t {
+      kPlaced,     ///< at a site
+      kTakenBack,  ///< from a site
+      kMoved,      ///< from nowhere to nowhere
+      kTipped      ///< the same, laid down or raised
+    };
+    int64_t utime = 0;  ///< the hand let go
+    Kind kind = Kind::kMoved;
+    std::string part;
+    std::string site;  ///< of kPlaced and kTakenBack, else empty
+
+    bool operator==(const TrueAction&) const = default;
+  };
+
   std::string task;
   std::string demonstration;
   uint64_t seed = 0;
@@ -57,6 +76,7 @@ struct Recording {
   std::vector<std::string> bodies;  ///< no duplicates
   std::vector<Frame> frames;        ///< utimes rise
   std::vector<SpokenName> spoken;   ///< by utime
+  std::vector<TrueAction> truth;    ///< by utime; empty if it is not known
 };
 
 /// A text that is no recording: "name:line: message".

@@ -1,5 +1,6 @@
 #include "common/recordings/recording_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -13,6 +14,19 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 64 << 20;
 
 }  // namespace
+
+std::vector<std::filesystem::path> RecordingsIn(
+    const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::is_directory(folder)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == kRecordingExtension) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
 
 Recording LoadRecording(const std::filesystem::path& path) {
   const std::string name = path.string();

@@ -19,6 +19,10 @@ namespace {
 constexpr std::string_view kFormat = "cell-recording";
 constexpr std::string_view kVersion = "1";
 constexpr std::string_view kUndone = "undone";
+using TrueKind = Recording::TrueAction::Kind;
+/// In the order of the kinds.
+constexpr std::array<std::string_view, 4> kTrueKinds = {"placed", "taken_back",
+                                                        "moved", "tipped"};
 constexpr size_t kMaxBodies = 1000;
 constexpr int kQuaternionDecimals = 5;  // PoseFromMessage() wants 1e-4
 
@@ -51,6 +55,8 @@ class Reader {
         ReadEnd(words);
       } else if (words[0] == "said") {
         ReadSaid(words);
+      } else if (words[0] == "truth") {
+        ReadTruth(words);
       } else if (recording_.frames.empty()) {
         ReadHead(words);
       } else {
@@ -224,6 +230,27 @@ class Reader {
     spoken.push_back({utime, std::string(words[2]), is_undone});
   }
 
+  void ReadTruth(const Words& words) {
+    const auto kind = std::ranges::find(
+        kTrueKinds, words.size() > 2 ? words[2] : std::string_view());
+    const auto index = static_cast<size_t>(kind - kTrueKinds.begin());
+    const bool has_site = index <= static_cast<size_t>(TrueKind::kTakenBack);
+    if (kind == kTrueKinds.end() || words.size() != (has_site ? 5 : 4) ||
+        words[3].empty() || words.back().empty()) {
+      Fail(
+          "must read 'truth UTIME placed|taken_back PART SITE' or 'truth UTIME "
+          "moved|tipped PART'");
+    }
+    const int64_t utime = Utime(words[1]);
+    auto& truth = recording_.truth;
+    if (!truth.empty() && utime < truth.back().utime) {
+      Fail(fmt::format("truth at {}, but the action before it at {}", utime,
+                       truth.back().utime));
+    }
+    truth.push_back({utime, static_cast<TrueKind>(index), std::string(words[3]),
+                     has_site ? std::string(words[4]) : std::string()});
+  }
+
   void ReadEnd(const Words& words) {
     RequireCount(words, 2, "end NUMBER-OF-FRAMES");
     const auto count = Number<uint64_t>(words[1], "number of frames");
@@ -301,6 +328,13 @@ std::string HeadOf(const Recording& recording) {
   return text;
 }
 
+std::string LineOf(const Recording::TrueAction& action) {
+  return fmt::format("truth {} {} {}{}\n", action.utime,
+                     kTrueKinds.at(static_cast<size_t>(action.kind)),
+                     RequireWord(action.part),
+                     action.site.empty() ? "" : " " + RequireWord(action.site));
+}
+
 void RequireSound(const Recording& recording) {
   int64_t last = -1;
   for (const Recording::Frame& frame : recording.frames) {
@@ -326,15 +360,19 @@ std::string RecordingToText(const Recording& recording,
   std::string text = HeadOf(recording);
   std::vector<std::optional<PoseText>> last(recording.bodies.size());
   auto said = recording.spoken.begin();
-  const auto append_said_before = [&](int64_t utime) {
+  auto done = recording.truth.begin();
+  const auto append_events_before = [&](int64_t utime) {
     for (; said != recording.spoken.end() && said->utime < utime; ++said) {
       text +=
           fmt::format("said {} {}{}\n", said->utime, RequireWord(said->name),
                       said->is_undone ? " undone" : "");
     }
+    for (; done != recording.truth.end() && done->utime < utime; ++done) {
+      text += LineOf(*done);
+    }
   };
   for (const Recording::Frame& frame : recording.frames) {
-    append_said_before(frame.utime);
+    append_events_before(frame.utime);
     text += fmt::format("frame {}\n", frame.utime);
     for (size_t i = 0; i < frame.poses.size(); ++i) {
       std::optional<PoseText> now;
@@ -353,7 +391,7 @@ std::string RecordingToText(const Recording& recording,
       last[i] = std::move(now);
     }
   }
-  append_said_before(INT64_MAX);
+  append_events_before(INT64_MAX);
   return text + fmt::format("end {}\n", recording.frames.size());
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/planning/planner.h"
+#include "common/rexd/rule_alternatives.h"
 
 namespace cell::rexd {
 
@@ -67,12 +68,13 @@ std::optional<GroundAct> RexD::LeastTried(const WorldState& state) {
       random_.Below(static_cast<int>(least.size())))];
 }
 
-std::optional<GroundAct> RexD::Plan(const WorldState& state) {
+std::optional<GroundAct> RexD::PlanBy(const NdrRules& rules,
+                                      const RexdTask& task,
+                                      const WorldState& state) const {
   std::vector<GroundAct> acts = KnownActs();
   std::erase_if(acts,
                 [&](const GroundAct& act) { return IsDangerous(act, state); });
-  const auto model =
-      std::make_shared<RuleModel>(rules_, task_, std::move(acts));
+  const auto model = std::make_shared<RuleModel>(rules, task, std::move(acts));
   planning::Planner::Params params;
   params.max_expansions = params_.max_expansions;
   params.precision = 1e-3;
@@ -82,6 +84,35 @@ std::optional<GroundAct> RexD::Plan(const WorldState& state) {
     return std::nullopt;
   }
   return model->acts()[static_cast<size_t>(plan.course[0].action)];
+}
+
+std::optional<GroundAct> RexD::Plan(const WorldState& state) {
+  return PlanBy(rules_, task_, state);
+}
+
+std::shared_ptr<RuleModel> RexD::Model() const {
+  return std::make_shared<RuleModel>(rules_, task_, KnownActs());
+}
+
+std::optional<GroundAct> RexD::DoWithoutPlan(const WorldState& state,
+                                             const Guidance& guidance) {
+  constexpr size_t kMaxPlans = 30;
+  if (num_alternatives_ < params_.max_alternatives) {
+    const auto alternatives =
+        RuleAlternatives(rules_, *task_.world, state, guidance, experiences_);
+    for (size_t i = 0; i < std::min(alternatives.size(), kMaxPlans); ++i) {
+      const auto act = PlanBy(alternatives[i], task_, state);
+      if (!act) continue;
+      ++num_alternatives_;
+      return act;
+    }
+  }
+  if (!params_.uses_subgoals || guidance.subgoals.empty()) return std::nullopt;
+  RexdTask meanwhile = task_;
+  meanwhile.goal = guidance.subgoals;
+  const auto act = PlanBy(rules_, meanwhile, state);
+  if (act && HasFailedTooOften(*act, state)) return std::nullopt;
+  return act;
 }
 
 bool RexD::HasFailedTooOften(const GroundAct& act,
@@ -94,21 +125,29 @@ bool RexD::HasFailedTooOften(const GroundAct& act,
 
 Decision RexD::Decide(const WorldState& state) {
   if (shown_in_vain_ && last_ && last_->after == state &&
-      num_repetitions_ < params_.max_repetitions) {
+      num_repetitions_ < params_.max_repetitions &&
+      !IsDangerous(*shown_in_vain_, state)) {
     ++num_repetitions_;
-    return {Decision::Kind::kExplore, *shown_in_vain_};
+    return {Decision::Kind::kExplore, *shown_in_vain_, {}};
   }
   if (const auto act = LeastTried(state)) {
-    return {Decision::Kind::kExplore, *act};
+    return {Decision::Kind::kExplore, *act, {}};
   }
   const auto act = Plan(state);
-  if (!act || HasFailedTooOften(*act, state)) return {};
-  return {Decision::Kind::kExploit, *act};
+  const bool is_stuck = act && HasFailedTooOften(*act, state);
+  if (act && !is_stuck) return {Decision::Kind::kExploit, *act, {}};
+  if (is_stuck) return {Decision::Kind::kAsk, {}, {}};
+  const Guidance guidance = FindGuidance(rules_, task_, state, KnownActs());
+  if (const auto other = DoWithoutPlan(state, guidance)) {
+    return {Decision::Kind::kExploit, *other, {}};
+  }
+  return {Decision::Kind::kAsk, {}, guidance};
 }
 
 void RexD::Observe(const Experience& experience, bool is_demonstrated) {
   if (is_demonstrated) {
     num_repetitions_ = 0;
+    num_alternatives_ = 0;
     shown_in_vain_ = experience.act;
   }
   if (experience.before != experience.after) shown_in_vain_.reset();
@@ -120,17 +159,17 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
     p_at_first_ = ChangeProbability(experience.act, experience.before);
   }
   if (experience.before == experience.after) ++num_failures_;
-  if (last_) harmless_.merge(EffectsOf(*last_));
   last_ = experience;
   actions_.insert(experience.act.action);
+  experiences_.push_back(experience);
   learner_.Add(experience);
   learner_.Learn();
   rules_ = learner_.Rules();
   counts_ = learner_.RuleCounts();
 }
 
-std::set<RexD::Effect> RexD::EffectsOf(const Experience& experience) const {
-  std::set<Effect> effects;
+WorldState RexD::Transfer(const Experience& experience, const GroundAct& act,
+                          WorldState state) const {
   const World& world = *task_.world;
   for (size_t s = 0; s < world.symbols().all().size(); ++s) {
     const int symbol = static_cast<int>(s);
@@ -141,34 +180,64 @@ std::set<RexD::Effect> RexD::EffectsOf(const Experience& experience) const {
     for (int i = 0; i < world.num_places(symbol); ++i) {
       const int place = world.first(symbol) + i;
       const bool after = World::Get(experience.after, place);
-      if (after != World::Get(experience.before, place)) {
-        effects.emplace(symbol, after);
+      if (after == World::Get(experience.before, place)) continue;
+      std::vector<int> objects = world.ObjectsAt(symbol, place);
+      for (int& object : objects) {
+        const auto it = std::ranges::find(experience.act.arguments, object);
+        if (it == experience.act.arguments.end()) continue;
+        object = act.arguments[static_cast<size_t>(
+            it - experience.act.arguments.begin())];
       }
+      World::Set(&state, world.PlaceOf(symbol, objects), after);
     }
   }
-  return effects;
+  world.Derive(&state);
+  return state;
+}
+
+const Experience& RexD::CauseOfDeadEnd() const {
+  const Guidance guidance =
+      FindGuidance(rules_, task_, experiences_.back().after, KnownActs());
+  std::vector<Literal> needed = guidance.missing_effects;
+  for (const auto& blocked : guidance.blocked_acts) {
+    needed.push_back(blocked.needs);
+  }
+  for (size_t i = experiences_.size(); i-- > 0;) {
+    const Experience& e = experiences_[i];
+    const bool has_undone =
+        std::ranges::any_of(needed, [&](const Literal& literal) {
+          return Holds(literal, {}, e.before, *task_.world) &&
+                 !Holds(literal, {}, e.after, *task_.world);
+        });
+    if (has_undone) return e;
+  }
+  return experiences_.back();
 }
 
 void RexD::RememberDeadEnd() {
   if (!last_) return;
-  for (const Effect& effect : EffectsOf(*last_)) {
-    if (!harmless_.contains(effect)) dangers_.insert(effect);
-  }
+  dead_ends_.push_back(CauseOfDeadEnd());
   last_.reset();
 }
 
+bool RexD::HasWayOn(const WorldState& state) const {
+  const auto model = Model();
+  planning::Planner::Params params;
+  params.max_expansions = params_.max_expansions;
+  params.precision = 1e-3;
+  params.minimize_actions = false;
+  planning::Planner planner(model, params);
+  const auto status = planner.Find(model->Pack(state)).status;
+  return status == planning::Plan::Status::kFound ||
+         status == planning::Plan::Status::kGoalReached;
+}
+
 bool RexD::IsDangerous(const GroundAct& act, const WorldState& state) const {
-  if (dangers_.empty()) return false;
-  const auto coverage = FindCoverage(rules_, act, state, *task_.world);
-  if (!coverage) return false;
-  return std::ranges::any_of(
-      coverage->rule->outcomes, [&](const Outcome& outcome) {
-        return outcome.probability > 0 &&
-               std::ranges::any_of(outcome.changes, [&](const Literal& l) {
-                 return dangers_.contains(
-                     {l.symbol, l.comparison == Comparison::kTrue});
-               });
-      });
+  return std::ranges::any_of(dead_ends_, [&](const Experience& e) {
+    if (e.act.action != act.action) return false;
+    const WorldState after = Transfer(e, act, state);
+    return after != state && !HasWayOn(after);
+  });
 }
 
 }  // namespace cell::rexd

@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "common/rexd/guidance.h"
 #include "common/rexd/rule_model.h"
 #include "common/rules/learning/learner.h"
 #include "common/rules/simulation.h"
@@ -14,12 +15,14 @@ struct Decision {
   enum class Kind { kExplore, kExploit, kAsk };
   Kind kind = Kind::kAsk;
   rules::GroundAct act;  ///< unless kAsk
+  Guidance guidance;     ///< for the teacher, if kAsk
 };
 
 /// REX-D (Martinez et al., AIJ 2017; the paper's Fig. 16): in a state that is
 /// not known, the action that was tried least; in a known state, the first
-/// action of a plan; if there is none, one demonstration. Begins without any
-/// action: a demonstration adds its own.
+/// action of a plan; if there is none, what else can be done towards the goal,
+/// then one demonstration. Begins without any action: a demonstration adds its
+/// own.
 class RexD {
  public:
   struct Params {
@@ -35,6 +38,11 @@ class RexD {
     /// A demonstration that changed nothing is of use all the same, or the
     /// teacher would not have shown it: it is repeated so often at most.
     int max_repetitions = 6;
+    /// Whether subgoals are reached before a demonstration is asked for.
+    bool uses_subgoals = true;
+    /// Rules with another precondition that are tried in a state before a
+    /// demonstration is asked for.
+    int max_alternatives = 1;
     /// Of the planner; a plan that takes more is none.
     int64_t max_expansions = 3000;
     uint64_t seed = 1;
@@ -46,22 +54,35 @@ class RexD {
   /// @param is_demonstrated  whether the teacher did it
   void Observe(const rules::Experience& experience,
                bool is_demonstrated = false);
-  /// The goal cannot be reached from here. Changes of the last experience that
-  /// no other has had are avoided from now on: no action is done that may lead
-  /// to them.
+  /// The goal cannot be reached from here. The excuse of the state points at
+  /// the experience that led here: from now on, no action is done that would
+  /// leave no way to the goal if the same happened again.
   void RememberDeadEnd();
 
   const rules::NdrRules& rules() const { return rules_; }
+  const std::vector<int>& rule_counts() const { return counts_; }
   const rules::Learner& learner() const { return learner_; }
+  /// The rules as they are, with all actions that were seen.
+  std::shared_ptr<RuleModel> Model() const;
   /// The first action of the best plan by the rules as they are; nullopt if
   /// there is none.
   std::optional<rules::GroundAct> Plan(const rules::WorldState& state);
 
  private:
-  /// A predicate that becomes true or false, of whatever objects.
-  using Effect = std::pair<int, bool>;
-
-  std::set<Effect> EffectsOf(const rules::Experience& experience) const;
+  std::optional<rules::GroundAct> PlanBy(const rules::NdrRules& rules,
+                                         const RexdTask& task,
+                                         const rules::WorldState& state) const;
+  bool HasWayOn(const rules::WorldState& state) const;
+  /// The first action of a plan by a rule alternative, or for the subgoals.
+  std::optional<rules::GroundAct> DoWithoutPlan(const rules::WorldState& state,
+                                                const Guidance& guidance);
+  /// The last experience that undid what is needed now.
+  const rules::Experience& CauseOfDeadEnd() const;
+  /// What the experience has changed, done to a state with the objects of
+  /// another action.
+  rules::WorldState Transfer(const rules::Experience& experience,
+                             const rules::GroundAct& act,
+                             rules::WorldState state) const;
   bool IsDangerous(const rules::GroundAct& act,
                    const rules::WorldState& state) const;
   std::optional<rules::GroundAct> LeastTried(const rules::WorldState& state);
@@ -81,15 +102,16 @@ class RexD {
   rules::Learner learner_;
   rules::NdrRules rules_;
   std::vector<int> counts_;  // of each rule
-  std::set<int> actions_;    // that were seen
+  std::vector<rules::Experience> experiences_;
+  std::set<int> actions_;  // that were seen
   rules::RandomNumbers random_;
   std::optional<rules::Experience> last_;
   int num_failures_ = 0;   // of the last action, in a row
   double p_at_first_ = 0;  // that it would change anything, at the first
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
-  std::set<Effect> harmless_;
-  std::set<Effect> dangers_;
+  std::vector<rules::Experience> dead_ends_;  // that led there
+  int num_alternatives_ = 0;  // tried since the last demonstration
 };
 
 }  // namespace cell::rexd

@@ -30,6 +30,8 @@ class RexdRun {
     return counts;
   }
 
+  FrozenScore ScoreRules() { return ScoreFrozen(task_, learner_); }
+
  private:
   RexD::Params LearnerParams() {
     RexD::Params params = params_.learner;
@@ -42,8 +44,10 @@ class RexdRun {
     const Decision decision = learner_.Decide(*state);
     Experience experience{*state, decision.act, *state};
     if (decision.kind == Decision::Kind::kAsk) {
-      const auto act = teacher_.Choose(*state, {&learner_.rules()});
+      const auto act =
+          teacher_.Choose(*state, {&learner_.rules(), &decision.guidance});
       if (!act) {
+        counts->is_dead_end = true;
         learner_.RememberDeadEnd();
         return false;
       }
@@ -72,12 +76,14 @@ class RexdRun {
 }  // namespace
 
 std::vector<EpisodeCounts> RunRexd(const RexdTask& task,
-                                   const RunParams& params) {
+                                   const RunParams& params,
+                                   FrozenScore* frozen) {
   RexdRun run(task, params);
   std::vector<EpisodeCounts> episodes;
   for (int i = 0; i < params.num_episodes; ++i) {
     episodes.push_back(run.Episode());
   }
+  if (frozen != nullptr) *frozen = run.ScoreRules();
   return episodes;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/rexd/frozen_score.h"
 #include "common/rexd/rexd.h"
 #include "common/rexd/teacher.h"
 
@@ -14,6 +15,7 @@ struct EpisodeCounts {
   int num_demonstrations = 0;
   int num_explorations = 0;
   bool is_goal_reached = false;
+  bool is_dead_end = false;  ///< ended where the goal cannot be reached
 };
 
 struct RunParams {
@@ -28,7 +30,9 @@ struct RunParams {
 };
 
 /// Learns a task from nothing, episode after episode.
+/// @param frozen  if not null, how good the rules are that were learned
 std::vector<EpisodeCounts> RunRexd(const RexdTask& task,
-                                   const RunParams& params);
+                                   const RunParams& params,
+                                   FrozenScore* frozen = nullptr);
 
 }  // namespace cell::rexd

@@ -103,6 +103,60 @@ RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
   return task;
 }
 
+RexdTask WithoutPredicate(const RexdTask& task, const std::string& predicate) {
+  const World& world = *task.world;
+  const auto symbol = world.symbols().Find(predicate);
+  const auto speaks = [&](const std::vector<Literal>& literals) {
+    return std::ranges::count(literals, *symbol, &Literal::symbol) > 0;
+  };
+  if (!symbol || world.symbols()[*symbol].kind != Symbol::Kind::kPrimitive ||
+      world.symbols()[*symbol].is_integer) {
+    throw RuleError("the task", 0,
+                    fmt::format("there is no predicate '{}'", predicate));
+  }
+  bool is_needed = speaks(task.goal);
+  for (const Rule& rule : task.truth.rules) {
+    is_needed |= speaks(rule.context);
+    for (const auto& r : rule.references) is_needed |= speaks(r.literals);
+    for (const auto& outcome : rule.outcomes) {
+      is_needed |= speaks(outcome.changes);
+    }
+  }
+  if (is_needed) {
+    throw RuleError("the task", 0,
+                    fmt::format("its rules need '{}'", predicate));
+  }
+  RexdTask hidden = task;
+  for (int i = 0; i < world.num_places(*symbol); ++i) {
+    World::Set(&hidden.initial, world.first(*symbol) + i, false);
+  }
+  world.Derive(&hidden.initial);
+  return hidden;
+}
+
+RexdTask WithoutTypes(const RexdTask& task) {
+  RexdTask untyped = task;
+  for (Rule& rule : untyped.truth.rules) {
+    const Definition& condition = (*task.truth.symbols)[rule.action].definition;
+    for (const Definition::Atom& atom : condition.atoms) {
+      Literal literal{atom.symbol, {}, Comparison::kTrue, 0};
+      if (atom.is_negated) literal.comparison = Comparison::kFalse;
+      for (const int v : atom.variables) {
+        literal.terms.push_back({Term::Kind::kVariable, v});
+      }
+      if (std::ranges::find(rule.context, literal) == rule.context.end()) {
+        rule.context.push_back(std::move(literal));
+      }
+    }
+  }
+  untyped.truth.symbols = std::make_shared<const SymbolTable>(
+      task.truth.symbols->WithoutConditions());
+  std::vector<std::string> objects = task.world->objects();
+  objects.erase(objects.begin(), objects.begin() + task.world->num_constants());
+  untyped.world = std::make_shared<World>(untyped.truth.symbols, objects);
+  return untyped;
+}
+
 NdrRules WithSuccess(const NdrRules& truth, double success) {
   NdrRules scaled = truth;
   for (Rule& rule : scaled.rules) {

@@ -33,6 +33,15 @@ struct RexdTask {
 /// @throws RuleError "file:line: ..."
 RexdTask ParseRexdTask(const std::string& text, const std::string& file);
 
+/// The task when its learner is not told of a predicate: it stands in no state.
+/// @throws RuleError if there is no such predicate, or if a rule or the goal
+/// speaks of it
+RexdTask WithoutPredicate(const RexdTask& task, const std::string& predicate);
+
+/// The task when actions may be tried with any objects. What the actions'
+/// conditions ask for becomes part of the rules that are true.
+RexdTask WithoutTypes(const RexdTask& task);
+
 /// The rules when every outcome that changes something happens with
 /// `success` times its probability, and otherwise nothing.
 rules::NdrRules WithSuccess(const rules::NdrRules& truth, double success);

@@ -70,19 +70,39 @@ std::vector<GroundAct> PlanningTeacher::UsefulActs(const WorldState& state) {
   return useful;
 }
 
+bool PlanningTeacher::IsAskedFor(const GroundAct& act, const WorldState& state,
+                                 const Guidance& guidance) const {
+  const bool is_blocked = std::ranges::any_of(
+      guidance.blocked_acts,
+      [&](const auto& blocked) { return blocked.act == act; });
+  if (is_blocked) return true;
+  const WorldState after = Intended(act, state);
+  return std::ranges::any_of(guidance.missing_effects,
+                             [&](const Literal& effect) {
+                               return !Holds(effect, {}, state, *task_.world) &&
+                                      Holds(effect, {}, after, *task_.world);
+                             });
+}
+
 std::optional<GroundAct> PlanningTeacher::Choose(const WorldState& state,
                                                  const Question& question) {
   std::vector<GroundAct> acts = UsefulActs(state);
   if (acts.empty()) return std::nullopt;
+  const auto keep = [&](const auto& is_wanted) {
+    std::vector<GroundAct> wanted;
+    std::ranges::copy_if(acts, std::back_inserter(wanted), is_wanted);
+    if (!wanted.empty()) acts = std::move(wanted);
+  };
   if (params_.heeds_guidance && question.known != nullptr) {
-    std::vector<GroundAct> news;
-    for (const GroundAct& act : acts) {
-      if (!Predicts(*question.known, *task_.world, act, state,
-                    Intended(act, state))) {
-        news.push_back(act);
-      }
-    }
-    if (!news.empty()) acts = std::move(news);
+    keep([&](const GroundAct& act) {
+      return !Predicts(*question.known, *task_.world, act, state,
+                       Intended(act, state));
+    });
+  }
+  if (params_.heeds_guidance && question.guidance != nullptr) {
+    keep([&](const GroundAct& act) {
+      return IsAskedFor(act, state, *question.guidance);
+    });
   }
   return acts[static_cast<size_t>(
       random_.Below(static_cast<int>(acts.size())))];

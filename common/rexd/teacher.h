@@ -6,15 +6,17 @@
 #include <vector>
 
 #include "common/planning/planner.h"
+#include "common/rexd/guidance.h"
 #include "common/rexd/rule_model.h"
 #include "common/rules/simulation.h"
 
 namespace cell::rexd {
 
-/// What the learner says when it asks (section VI-B1): the rules that it has.
-/// A teacher who heeds it shows what they do not predict.
+/// What the learner says when it asks (section VI-B1): the rules that it has,
+/// and why they do not do.
 struct Question {
   const rules::NdrRules* known = nullptr;
+  const Guidance* guidance = nullptr;
 };
 
 /// Shows one action at a time.
@@ -38,7 +40,8 @@ class Teacher {
 class PlanningTeacher final : public Teacher {
  public:
   struct Params {
-    /// Shows what the learner cannot predict, if that is of use.
+    /// Shows what the learner cannot predict, and of that what it asks for: an
+    /// effect that it misses, or an action that it believes to be blocked.
     bool heeds_guidance = true;
     /// Never fails; otherwise as often as the robot.
     bool is_sure = true;
@@ -57,9 +60,13 @@ class PlanningTeacher final : public Teacher {
   /// Actions that bring the goal nearer if they succeed.
   std::vector<rules::GroundAct> UsefulActs(const rules::WorldState& state);
 
- private:
+  /// The state after the action if it succeeds.
   rules::WorldState Intended(const rules::GroundAct& act,
                              const rules::WorldState& state) const;
+
+ private:
+  bool IsAskedFor(const rules::GroundAct& act, const rules::WorldState& state,
+                  const Guidance& guidance) const;
 
   const RexdTask& task_;
   Params params_;

@@ -210,6 +210,14 @@ std::vector<int> SymbolTable::Actions() const {
   return actions;
 }
 
+SymbolTable SymbolTable::WithoutConditions() const {
+  SymbolTable table = *this;
+  for (Symbol& symbol : table.all_) {
+    if (symbol.kind == Symbol::Kind::kAction) symbol.definition.atoms.clear();
+  }
+  return table;
+}
+
 std::string SymbolTable::ToText() const {
   std::string text;
   for (const std::string& constant : constants_) {

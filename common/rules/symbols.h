@@ -79,6 +79,8 @@ class SymbolTable {
   /// The symbols of a kind, ascending.
   std::vector<int> Actions() const;
 
+  /// The symbols when actions may have any objects.
+  SymbolTable WithoutConditions() const;
   /// The declarations as Parse() reads them, one a line.
   std::string ToText() const;
   bool operator==(const SymbolTable&) const = default;

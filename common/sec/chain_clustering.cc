@@ -13,14 +13,25 @@ ChainClustering::ChainClustering(const Params& params) : params_(params) {
 
 double ChainClustering::threshold() const {
   if (similarities_.size() < params_.num_first) return params_.first_threshold;
-  const double cut = OtsuCut(similarities_);
-  return params_.threshold == Threshold::kCut ? cut
-                                              : MeanFrom(cut, similarities_);
+  switch (params_.threshold) {
+    case Threshold::kCut:
+      return OtsuCut(similarities_);
+    case Threshold::kHighestCut:
+      return HighestCut(similarities_);
+    case Threshold::kMeanOfHigh:
+      break;
+  }
+  return MeanFrom(OtsuCut(similarities_), similarities_);
 }
 
 void ChainClustering::Add(const RelationMatrix& sample) {
   if (sample.is_empty()) {
     throw std::invalid_argument("an event chain without rows or columns");
+  }
+  if (params_.threshold == Threshold::kHighestCut && !has_distribution_ &&
+      similarities_.size() >= params_.num_first) {
+    has_distribution_ = true;
+    MergeAll();
   }
   double best = -1;
   size_t nearest = 0;
@@ -45,6 +56,14 @@ void ChainClustering::Add(const RelationMatrix& sample) {
 RelationMatrix ChainClustering::ComparedPart(const Cluster& cluster) const {
   return params_.compared == Compared::kAll ? cluster.model.chain()
                                             : cluster.model.Consensus();
+}
+
+void ChainClustering::MergeAll() {
+  for (size_t i = 0; i < clusters_.size();) {
+    const size_t num_before = clusters_.size();
+    MergeWith(i);
+    i = clusters_.size() < num_before ? 0 : i + 1;
+  }
 }
 
 // Merges the cluster that has changed with those that have become as similar

@@ -20,7 +20,8 @@ class ChainClustering {
   enum class Threshold : int8_t {
     kMeanOfHigh,  ///< tau as printed: the mean of those above the cut; about
                   ///< half of the true matches lie below
-    kCut          ///< the cut between low and high itself
+    kCut,         ///< the cut between low and high itself
+    kHighestCut   ///< the highest cut (HighestCut)
   };
   /// What of a model samples are compared with.
   enum class Compared : int8_t { kAll, kConsensus };
@@ -29,7 +30,8 @@ class ChainClustering {
     std::shared_ptr<const MatrixSimilarity> similarity;
     Threshold threshold = Threshold::kCut;
     Compared compared = Compared::kConsensus;
-    /// The threshold before there is a distribution to divide: the paper's.
+    /// The threshold before there is a distribution to divide: the paper's. A
+    /// high one keeps apart what the highest cut merges once there is.
     double first_threshold = 0.64;
     /// Similarities from which on the distribution decides.
     size_t num_first = 100;
@@ -55,9 +57,11 @@ class ChainClustering {
  private:
   RelationMatrix ComparedPart(const Cluster& cluster) const;
   void MergeWith(size_t changed);
+  void MergeAll();
 
   Params params_;
   size_t num_samples_ = 0;
+  bool has_distribution_ = false;  // decides the threshold
   std::vector<Cluster> clusters_;
   std::vector<double> similarities_;
 };

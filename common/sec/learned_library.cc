@@ -5,22 +5,32 @@
 
 #include "common/scene/scene_objects.h"
 #include "common/sec/bound_scene.h"
+#include "common/sec/learned_model_text.h"
+#include "common/sec/stand_ins.h"
 
 namespace cell {
 namespace {
 
 constexpr double kLiteralWeight = 2;
 constexpr double kRelationWeight = 1;
+constexpr double kOpenShare = 0.5;  // of a literal that the scene leaves open
 
 class Model final : public SecModel {
  public:
-  Model(LearnedLibrary::Entry entry, std::shared_ptr<const SceneWords> words)
+  Model(LearnedLibrary::Entry entry, std::set<int> stand_ins,
+        std::shared_ptr<const SceneWords> words)
       : action_(std::move(entry.action)),
         model_(std::move(entry.model)),
+        stand_ins_(std::move(stand_ins)),
         words_(std::move(words)),
         required_(model_.RequiredLiterals()),
         changed_(ChangedLiterals(model_.pick, model_.place)),
-        partners_(ChangedPartners(model_.pick, model_.place)) {}
+        partners_(ChangedPartners(model_.pick, model_.place)),
+        certain_partners_(partners_) {
+    std::erase_if(certain_partners_, [](const Partner& partner) {
+      return partner.kind == Partner::Kind::kType;
+    });
+  }
 
   const std::string& action() const override { return action_; }
 
@@ -40,6 +50,10 @@ class Model final : public SecModel {
     return found;
   }
 
+  bool HasStandIn(const Roles& roles) const override {
+    return stand_ins_.contains(BindingOf(roles)[model_.moved]);
+  }
+
   double Agreement(const ObservedManipulation& manipulation, const Roles& roles,
                    ActionDirection direction) const override {
     const Binding binding = BindingOf(roles);
@@ -47,42 +61,102 @@ class Model final : public SecModel {
     const BoundScene before(*words_, binding, model_.moved,
                             manipulation.before);
     const BoundScene after(*words_, binding, model_.moved, manipulation.after);
-    if (!HasRequired(before, after, direction)) return 0;
-    Tally tally;
-    Count(is_forward ? model_.pick : model_.place, before, &tally);
-    Count(is_forward ? model_.place : model_.pick, after, &tally);
-    tally.all += 2 * Unexplained(manipulation, binding);
-    return tally.held / tally.all;
+    if (!HasRequired(manipulation, before, after, direction)) return 0;
+    double held = 0, all = 2 * Unexplained(manipulation, binding);
+    const auto put = [&](double weight, double share, bool, const auto&) {
+      held += weight * share;
+      all += weight;
+    };
+    ForEachFact(is_forward ? model_.pick : model_.place, before, binding, put);
+    ForEachFact(is_forward ? model_.place : model_.pick, after, binding, put);
+    return held / all;
+  }
+
+  std::vector<CheckedFact> Check(const ObservedManipulation& manipulation,
+                                 const Roles& roles,
+                                 ActionDirection direction) const override {
+    const Binding binding = BindingOf(roles);
+    std::vector<CheckedFact> checked;
+    for (const bool is_before : {true, false}) {
+      const BoundScene scene(
+          *words_, binding, model_.moved,
+          is_before ? manipulation.before : manipulation.after);
+      const bool is_pick =
+          is_before == (direction == ActionDirection::kForward);
+      ForEachFact(
+          is_pick ? model_.pick : model_.place, scene, binding,
+          [&](double weight, double share, bool is_required, const auto& text) {
+            checked.push_back({is_before ? CheckedFact::When::kBefore
+                                         : CheckedFact::When::kAfter,
+                               text(), weight, share, is_required});
+          });
+    }
+    AddUnexplained(manipulation, binding, &checked);
+    return checked;
   }
 
  private:
-  struct Tally {
-    double held = 0;
-    double all = 0;
-
-    void Put(double weight, bool holds) {
-      all += weight;
-      if (holds) held += weight;
+  void AddUnexplained(const ObservedManipulation& manipulation,
+                      const Binding& binding,
+                      std::vector<CheckedFact>* checked) const {
+    const auto add = [&](std::string text, double weight) {
+      checked->push_back({CheckedFact::When::kUnexplained, std::move(text),
+                          2 * weight, 0, false});
+    };
+    for (const int atom : UnexplainedAtoms(manipulation, binding)) {
+      const bool is_true = manipulation.after.state.Get(atom) == Truth::kTrue;
+      add((is_true ? "" : "not ") + words_->vocabulary.AtomName(atom),
+          kLiteralWeight);
     }
-  };
+    for (const std::string& name : UnexplainedPartners(manipulation, binding)) {
+      const bool touches =
+          Touch(manipulation.after.frame.relations, manipulation.part, name);
+      add((touches ? "touches " : "apart from ") + name, kRelationWeight);
+    }
+  }
 
   /// The literal of `pick` as it is when the action begins.
   static Literal AtBegin(const Literal& literal, ActionDirection direction) {
     return direction == ActionDirection::kForward ? literal : Negated(literal);
   }
 
-  bool HasRequired(const BoundScene& before, const BoundScene& after,
+  bool HasRequired(const ObservedManipulation& manipulation,
+                   const BoundScene& before, const BoundScene& after,
                    ActionDirection direction) const {
-    if (required_.empty()) return HavePartnersChanged(before, after, direction);
-    return std::ranges::all_of(required_, [&](const Literal& literal) {
+    if (required_.empty()) {
+      return HaveChanged(partners_, before, after, direction);
+    }
+    bool is_certain = true;
+    for (const Literal& literal : required_) {
       const Literal begin = AtBegin(literal, direction);
-      return before.MayHold(begin) && after.MustHold(Negated(begin));
+      if (!before.MayHold(begin) || !after.MayHold(Negated(begin))) {
+        return false;
+      }
+      is_certain = is_certain && after.MustHold(Negated(begin));
+    }
+    return is_certain ||
+           (IsSeen(manipulation) && !certain_partners_.empty() &&
+            HaveChanged(certain_partners_, before, after, direction) &&
+            HasArrived(after, direction));
+  }
+
+  /// It has a pose before and after.
+  static bool IsSeen(const ObservedManipulation& manipulation) {
+    return manipulation.before.frame.poses.contains(manipulation.part) &&
+           manipulation.after.frame.poses.contains(manipulation.part);
+  }
+
+  bool HasArrived(const BoundScene& after, ActionDirection direction) const {
+    const SceneFacts& facts =
+        direction == ActionDirection::kForward ? model_.place : model_.pick;
+    return std::ranges::any_of(facts.touch, [&](const Partner& partner) {
+      return after.Touches(partner);
     });
   }
 
-  bool HavePartnersChanged(const BoundScene& before, const BoundScene& after,
-                           ActionDirection direction) const {
-    return std::ranges::all_of(partners_, [&](const Partner& partner) {
+  bool HaveChanged(const std::set<Partner>& partners, const BoundScene& before,
+                   const BoundScene& after, ActionDirection direction) const {
+    return std::ranges::all_of(partners, [&](const Partner& partner) {
       const bool touches_first = model_.pick.touch.contains(partner) ==
                                  (direction == ActionDirection::kForward);
       return before.Touches(partner) == touches_first &&
@@ -90,39 +164,59 @@ class Model final : public SecModel {
     });
   }
 
-  static void Count(const SceneFacts& facts, const BoundScene& scene,
-                    Tally* tally) {
+  /// Calls put(weight, share that holds, text()) for each fact.
+  template <class Put>
+  void ForEachFact(const SceneFacts& facts, const BoundScene& scene,
+                   const Binding& binding, Put put) const {
     for (const Literal& literal : facts.where) {
-      if (!literal.is_static) {
-        tally->Put(kLiteralWeight, scene.MustHold(literal));
+      if (literal.is_static) continue;
+      const double share = scene.MustHold(literal)  ? 1
+                           : scene.MayHold(literal) ? kOpenShare
+                                                    : 0;
+      put(kLiteralWeight, share, IsRequired(literal),
+          [&] { return Show(literal, binding, words_->vocabulary); });
+    }
+    for (const bool touches : {true, false}) {
+      for (const Partner& partner : touches ? facts.touch : facts.apart) {
+        put(kRelationWeight, scene.Touches(partner) == touches ? 1 : 0, false,
+            [&] { return ToText(partner, touches, VariablesOf(binding)); });
       }
     }
-    for (const Partner& partner : facts.touch) {
-      tally->Put(kRelationWeight, scene.Touches(partner));
+  }
+
+  bool IsRequired(const Literal& literal) const {
+    return required_.contains(literal) || required_.contains(Negated(literal));
+  }
+
+  /// The objects, in place of the roles.
+  std::vector<Variable> VariablesOf(const Binding& binding) const {
+    std::vector<Variable> objects;
+    for (size_t i = 0; i < binding.size(); ++i) {
+      objects.push_back({ObjectName(binding[i]), model_.roles[i].type});
     }
-    for (const Partner& partner : facts.apart) {
-      tally->Put(kRelationWeight, !scene.Touches(partner));
-    }
+    return objects;
   }
 
   /// The weight of the moved part's changes that the model does not mention.
   double Unexplained(const ObservedManipulation& manipulation,
                      const Binding& binding) const {
     return kLiteralWeight *
-               static_cast<double>(UnexplainedAtoms(manipulation, binding)) +
+               static_cast<double>(
+                   UnexplainedAtoms(manipulation, binding).size()) +
            kRelationWeight *
-               static_cast<double>(UnexplainedPartners(manipulation, binding));
+               static_cast<double>(
+                   UnexplainedPartners(manipulation, binding).size());
   }
 
-  std::ptrdiff_t UnexplainedAtoms(const ObservedManipulation& manipulation,
-                                  const Binding& binding) const {
+  std::vector<int> UnexplainedAtoms(const ObservedManipulation& manipulation,
+                                    const Binding& binding) const {
     const Vocabulary& vocabulary = words_->vocabulary;
     std::set<int> explained;
     for (const Literal& literal : changed_) {
       const auto atoms = Groundings(literal, binding, vocabulary);
       explained.insert(atoms.begin(), atoms.end());
     }
-    std::ptrdiff_t count = 0;
+    std::vector<int> changes;
     for (int i = 0; i < vocabulary.num_atoms(); ++i) {
       const Truth before = manipulation.before.state.Get(i);
       const Truth after = manipulation.after.state.Get(i);
@@ -131,29 +225,35 @@ class Model final : public SecModel {
         continue;
       }
       const GroundAtom atom = vocabulary.Atom(i);
-      count += std::ranges::count(atom.objects, binding[model_.moved]) > 0;
+      if (std::ranges::count(atom.objects, binding[model_.moved]) > 0) {
+        changes.push_back(i);
+      }
     }
-    return count;
+    return changes;
   }
 
-  std::ptrdiff_t UnexplainedPartners(const ObservedManipulation& manipulation,
-                                     const Binding& binding) const {
+  std::vector<std::string> UnexplainedPartners(
+      const ObservedManipulation& manipulation, const Binding& binding) const {
     std::set<std::string> explained = {manipulation.part};
     for (const Partner& partner : partners_) {
       explained.insert(partner.kind == Partner::Kind::kRole
                            ? words_->PartOf(binding[partner.role])
                            : partner.name);
     }
-    const auto has_changed = [&](const std::string& name) {
-      return !explained.contains(name) &&
-             Touch(manipulation.before.frame.relations, manipulation.part,
-                   name) != Touch(manipulation.after.frame.relations,
-                                  manipulation.part, name);
+    std::vector<std::string> changes;
+    const auto check = [&](const std::string& name) {
+      if (!explained.contains(name) &&
+          Touch(manipulation.before.frame.relations, manipulation.part, name) !=
+              Touch(manipulation.after.frame.relations, manipulation.part,
+                    name)) {
+        changes.push_back(name);
+      }
     };
-    return has_changed(SceneObjects::kTable) +
-           std::ranges::count_if(words_->parts.parts(), [&](const Part& part) {
-             return part.is_fixed && has_changed(part.name);
-           });
+    check(SceneObjects::kTable);
+    for (const Part& part : words_->parts.parts()) {
+      if (part.is_fixed) check(part.name);
+    }
+    return changes;
   }
 
   std::vector<Binding> BindingsFor(const std::string& part) const {
@@ -162,7 +262,7 @@ class Model final : public SecModel {
     std::vector<Binding> bindings = {{}};
     for (size_t i = 0; i < model_.roles.size(); ++i) {
       std::vector<Binding> longer;
-      for (const int object : vocabulary.ObjectsOf(model_.roles[i].type)) {
+      for (const int object : ObjectsFor(i)) {
         if ((i == model_.moved) != (object == moved)) continue;
         for (Binding binding : bindings) {
           if (std::ranges::count(binding, object) > 0) continue;
@@ -176,6 +276,15 @@ class Model final : public SecModel {
       return !StaticsHold(binding);
     });
     return bindings;
+  }
+
+  std::vector<int> ObjectsFor(size_t role) const {
+    std::vector<int> objects =
+        words_->vocabulary.ObjectsOf(model_.roles[role].type);
+    if (role == model_.moved) {
+      objects.insert(objects.end(), stand_ins_.begin(), stand_ins_.end());
+    }
+    return objects;
   }
 
   bool StaticsHold(const Binding& binding) const {
@@ -204,18 +313,24 @@ class Model final : public SecModel {
 
   std::string action_;
   LearnedModel model_;
+  std::set<int> stand_ins_;  // for the moved part
   std::shared_ptr<const SceneWords> words_;
   LiteralSet required_;         // as they are in pick
   LiteralSet changed_;          // of all roles, as they are in pick
   std::set<Partner> partners_;  // that are touched in pick or place only
+  std::set<Partner> certain_partners_;  // those of them that are no types
 };
 
 }  // namespace
 
 LearnedLibrary::LearnedLibrary(std::vector<Entry> entries,
                                std::shared_ptr<const SceneWords> words) {
-  for (Entry& entry : entries) {
-    models_.push_back(std::make_shared<const Model>(std::move(entry), words));
+  std::vector<LearnedModel> all;
+  for (const Entry& entry : entries) all.push_back(entry.model);
+  for (size_t i = 0; i < entries.size(); ++i) {
+    models_.push_back(std::make_shared<const Model>(
+        std::move(entries[i]), StandIns(all[i], all, words->vocabulary),
+        words));
   }
 }
 

@@ -19,8 +19,16 @@ namespace cell {
 /// A literal weighs 2 and a relation 1; an unexplained change weighs as much as
 /// the two facts that would say it, one before and one after. Unexplained
 /// relations count only with the table and what is fixed: which of its
-/// neighbours a part touches is chance. The agreement is 0 unless the
-/// predicates of the moved part change as the model says.
+/// neighbours a part touches is chance. A literal that the scene leaves open
+/// counts half.
+///
+/// The agreement is 0 unless the predicates of the moved part change as the
+/// model says. Where the poses leave one of them open, relations decide: those
+/// of the moved part with roles, the table and what is fixed must change as the
+/// model says, and it must come to touch something that the model names.
+///
+/// Also a part of a type that was never shown is taken for the moved one, if it
+/// can stand in for it (StandIns()).
 class LearnedLibrary final : public SecLibrary {
  public:
   struct Entry {

@@ -19,6 +19,16 @@ std::string Signature(std::span<const Variable> variables,
 
 }  // namespace
 
+Contribution Renamed(const Contribution& contribution, const RoleMap& places) {
+  Contribution renamed = contribution;
+  renamed.pick = Renamed(contribution.pick, places);
+  renamed.place = Renamed(contribution.place, places);
+  for (size_t i = 0; i < places.size(); ++i) {
+    renamed.types.at(places[i].value()) = contribution.types.at(i);
+  }
+  return renamed;
+}
+
 int LearnedModel::NumShown() const {
   return std::accumulate(
       shown.begin(), shown.end(), 0,
@@ -36,6 +46,7 @@ LiteralSet LearnedModel::RequiredLiterals() const {
 bool LearnedModel::SaysTheSame(const LearnedModel& other) const {
   LearnedModel copy = other;
   copy.shown = shown;
+  copy.taught = taught;
   return *this == copy;
 }
 
@@ -49,39 +60,42 @@ int CommonType(const TypeHierarchy& types, int a, int b) {
   return common;
 }
 
-Result<LearnedModel> FitToArguments(const LearnedModel& model,
-                                    std::span<const Variable> arguments,
-                                    const TypeHierarchy& types) {
-  std::vector<size_t> order(model.roles.size());
+Result<std::vector<size_t>> ArgumentsOf(std::span<const Variable> roles,
+                                        std::span<const Variable> arguments,
+                                        const TypeHierarchy& types) {
+  std::vector<size_t> order(roles.size());
   std::iota(order.begin(), order.end(), size_t{0});
   const auto fits = [&] {
     for (size_t i = 0; i < order.size(); ++i) {
-      if (!types.IsA(model.roles[i].type, arguments[order[i]].type)) {
-        return false;
-      }
+      if (!types.IsA(roles[i].type, arguments[order[i]].type)) return false;
     }
     return true;
   };
-  bool has_found = false;
-  if (arguments.size() == model.roles.size()) {
+  if (arguments.size() == roles.size()) {
     do {
-      has_found = fits();
-    } while (!has_found && std::next_permutation(order.begin(), order.end()));
+      if (fits()) return order;
+    } while (std::next_permutation(order.begin(), order.end()));
   }
-  if (!has_found) {
-    return Reason{fmt::format("it was shown with {}, but takes {}",
-                              Signature(model.roles, types),
-                              Signature(arguments, types))};
-  }
-  const RoleMap places(order.begin(), order.end());
-  LearnedModel fitted{model.roles,
-                      order[model.moved],
+  return Reason{fmt::format("it was shown with {}, but takes {}",
+                            Signature(roles, types),
+                            Signature(arguments, types))};
+}
+
+Result<LearnedModel> FitToArguments(const LearnedModel& model,
+                                    std::span<const Variable> arguments,
+                                    const TypeHierarchy& types) {
+  const auto order = ArgumentsOf(model.roles, arguments, types);
+  if (!order) return Reason{order.reason()};
+  const RoleMap places(order->begin(), order->end());
+  LearnedModel fitted{{arguments.begin(), arguments.end()},
+                      (*order)[model.moved],
                       Renamed(model.pick, places),
                       Renamed(model.place, places),
                       model.chain,
-                      model.shown};
-  for (size_t i = 0; i < order.size(); ++i) {
-    fitted.roles[order[i]] = {arguments[order[i]].name, model.roles[i].type};
+                      model.shown,
+                      {}};
+  for (const Contribution& contribution : model.taught) {
+    fitted.taught.push_back(Renamed(contribution, places));
   }
   return fitted;
 }

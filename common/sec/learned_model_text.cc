@@ -30,7 +30,8 @@ class Reader {
     model_.pick = ReadFacts(config_["pick"]);
     model_.place = ReadFacts(config_["place"]);
     model_.chain = ReadChain(config_["chain"]);
-    ReadShown();
+    model_.shown = ReadShown(config_, "shown");
+    ReadTaught();
     Check();
     return std::move(model_);
   }
@@ -129,13 +130,52 @@ class Reader {
     return chain;
   }
 
-  void ReadShown() {
-    const Config shown = config_["shown"];
+  static std::map<std::string, int> ReadShown(const Config& config,
+                                              const std::string& key) {
+    std::map<std::string, int> counts;
+    const Config shown = config[key];
     for (const auto& [name, count] : shown.Entries()) {
-      model_.shown[name] =
-          shown.Integer(name, 1, std::numeric_limits<int>::max());
+      counts[name] = shown.Integer(name, 1, std::numeric_limits<int>::max());
     }
-    if (model_.shown.empty()) shown.Fail("names no demonstration");
+    if (counts.empty()) shown.Fail("names no demonstration");
+    return counts;
+  }
+
+  void ReadTaught() {
+    if (!config_.Has("taught")) return;
+    std::map<std::string, int> shown;
+    for (const Config& item : config_["taught"].Items()) {
+      model_.taught.push_back(ReadContribution(item));
+      for (const auto& [name, count] : model_.taught.back().shown) {
+        shown[name] += count;
+      }
+    }
+    if (shown != model_.shown) {
+      config_["taught"].Fail(
+          "is not of the demonstrations in `shown`, as often as there");
+    }
+  }
+
+  Contribution ReadContribution(const Config& config) const {
+    Contribution contribution;
+    contribution.shown = ReadShown(config, "by");
+    if (config.Has("build")) {
+      contribution.build = config.Get<std::string>("build");
+    }
+    const Config types = config["types"];
+    for (const Config& item : types.Items()) {
+      const auto text = item.As<std::string>();
+      const auto type = words_.vocabulary.types().Find(text);
+      if (!type) item.Fail("there is no type '" + text + "'");
+      contribution.types.push_back(*type);
+    }
+    if (contribution.types.size() != model_.roles.size()) {
+      types.Fail("needs one type for each role");
+    }
+    contribution.pick = ReadFacts(config["pick"]);
+    contribution.place = ReadFacts(config["place"]);
+    contribution.chain = ReadChain(config["chain"]);
+    return contribution;
   }
 
   void Check() const {
@@ -219,6 +259,28 @@ YAML::Node ChainNode(const EventChain& chain) {
   return node;
 }
 
+YAML::Node CountsNode(const std::map<std::string, int>& shown) {
+  YAML::Node node = Flow(YAML::NodeType::Map);
+  for (const auto& [name, count] : shown) node[name] = count;
+  return node;
+}
+
+YAML::Node ContributionNode(const Contribution& contribution,
+                            const LearnedModel& model,
+                            const Vocabulary& vocabulary) {
+  YAML::Node node(YAML::NodeType::Map);
+  node["by"] = CountsNode(contribution.shown);
+  if (!contribution.build.empty()) node["build"] = contribution.build;
+  node["types"] = Flow(YAML::NodeType::Sequence);
+  for (const int type : contribution.types) {
+    node["types"].push_back(vocabulary.types().name(type));
+  }
+  node["pick"] = FactsNode(contribution.pick, model, vocabulary);
+  node["place"] = FactsNode(contribution.place, model, vocabulary);
+  node["chain"] = ChainNode(contribution.chain);
+  return node;
+}
+
 }  // namespace
 
 LearnedModel LearnedModelFromConfig(const Config& config,
@@ -236,8 +298,10 @@ std::string ToText(const LearnedModel& model, const Vocabulary& vocabulary) {
   node["pick"] = FactsNode(model.pick, model, vocabulary);
   node["place"] = FactsNode(model.place, model, vocabulary);
   node["chain"] = ChainNode(model.chain);
-  node["shown"] = Flow(YAML::NodeType::Map);
-  for (const auto& [name, count] : model.shown) node["shown"][name] = count;
+  node["shown"] = CountsNode(model.shown);
+  for (const Contribution& contribution : model.taught) {
+    node["taught"].push_back(ContributionNode(contribution, model, vocabulary));
+  }
   return YAML::Dump(node);
 }
 

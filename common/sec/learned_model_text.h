@@ -17,13 +17,17 @@ namespace cell {
 ///   place: {touch: [Y, any nut], apart: [table], where: ["InHole(X, Y)"]}
 ///   chain: {hole: "001", table: "100"}
 ///   shown: {assembly 1: 2}
+///   taught:  # optional: what each demonstration has taught, as it was then
+///     - {by: {assembly 1: 2}, build: 0.1.0, types: [bolt, hole], pick: ...,
+///        place: ..., chain: ...}
 ///
 /// touch and apart name what the moved part touches: a role (of a site the part
 /// that has it), the table, a part, or any part of a type. The rows of the
 /// chain are named by the table or a type, their entries are codes of
-/// relations.
+/// relations. `types` are those of the roles, in their order.
 /// @throws ConfigError naming file:key; also if nothing changes, if a role is
-/// not mentioned, and if pick or place contradicts itself.
+/// not mentioned, if pick or place contradicts itself, and if `taught` is not
+/// of the demonstrations in `shown`.
 LearnedModel LearnedModelFromConfig(const Config& config,
                                     const SceneWords& words);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <stdexcept>
 #include <utility>
 
 #include "common/sec/role_matching.h"
@@ -43,35 +44,57 @@ SecLearner::SecLearner(std::shared_ptr<const SceneWords> words,
       similarity_(std::move(similarity)),
       params_(params) {}
 
+void SecLearner::CountMadeUp(const std::string& name) {
+  if (!IsMadeUp(name)) return;
+  size_t number = 0;
+  const std::string digits = name.substr(sizeof(kMadeUp) - 1);
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  num_made_up_ = std::max(num_made_up_, number);
+}
+
+bool SecLearner::IsMadeUp(const std::string& name) {
+  constexpr size_t kLength = sizeof(kMadeUp) - 1;
+  return name.starts_with(kMadeUp) && name.size() > kLength &&
+         name[kLength] != '0' &&
+         std::ranges::all_of(name.substr(kLength),
+                             [](char c) { return c >= '0' && c <= '9'; });
+}
+
+ShowingGroup* SecLearner::Find(const std::string& name) {
+  const auto group = std::ranges::find_if(
+      groups_, [&](const auto& g) { return !g.is_gone() && g.name == name; });
+  return group == groups_.end() ? nullptr : &*group;
+}
+
 void SecLearner::Know(const std::string& name, const LearnedModel& model) {
+  CountMadeUp(name);
   RoleMap places;  // role 0 is moved
-  std::vector<int> types = {model.roles[model.moved].type};
+  size_t next = 1;
   for (size_t i = 0; i < model.roles.size(); ++i) {
-    places.push_back(i == model.moved ? 0 : types.size());
-    if (i != model.moved) types.push_back(model.roles[i].type);
+    places.push_back(i == model.moved ? 0 : next++);
   }
-  const std::string number =
-      name.starts_with(kMadeUp) ? name.substr(sizeof(kMadeUp) - 1) : "";
-  size_t made_up = 0;
-  std::from_chars(number.data(), number.data() + number.size(), made_up);
-  num_made_up_ = std::max(num_made_up_, made_up);
-  Group known{name,
-              made_up == 0,
-              types,
-              Renamed(model.pick, places),
-              Renamed(model.place, places),
-              model.chain,
-              model.shown};
-  const auto group = std::ranges::find(groups_, name, &Group::name);
-  if (group == groups_.end()) {
-    groups_.push_back(std::move(known));
-  } else {
+  ShowingGroup known{.name = name, .is_named = !IsMadeUp(name)};
+  for (const Contribution& contribution : model.taught) {
+    known.Add(Renamed(contribution, places), types());
+  }
+  if (model.taught.empty()) {
+    std::vector<int> of_roles;
+    for (const Variable& role : model.roles) of_roles.push_back(role.type);
+    known.Add(Renamed(Contribution{model.shown, "", of_roles, model.pick,
+                                   model.place, model.chain},
+                      places),
+              types());
+  }
+  if (ShowingGroup* group = Find(name)) {
     *group = std::move(known);
+  } else {
+    groups_.push_back(std::move(known));
   }
 }
 
 std::optional<SecLearner::Lesson> SecLearner::Add(
-    const ObservedManipulation& manipulation, const std::string& source) {
+    const ObservedManipulation& manipulation, const std::string& source,
+    const std::string& build) {
   const auto showing = Lift(manipulation, *words_);
   if (!showing) return std::nullopt;
   Match best;
@@ -85,26 +108,36 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
     best = std::move(match);
     found = i;
   }
-  if (found == groups_.size()) {
-    groups_.push_back({fmt::format("{}{}", kMadeUp, ++num_made_up_),
-                       false,
-                       showing->types,
-                       showing->pick,
-                       showing->place,
-                       showing->chain,
-                       {{source, 1}}});
-    return Lesson{found, ActionDirection::kForward, true};
+  const bool is_new = found == groups_.size();
+  if (is_new) {
+    for (size_t role = 0; role < showing->types.size(); ++role) {
+      best.places.push_back(role);
+    }
+    groups_.push_back({.name = fmt::format("{}{}", kMadeUp, ++num_made_up_),
+                       .types = showing->types});
   }
+  ShowingGroup& group = groups_[found];
   const bool is_forward = best.direction == ActionDirection::kForward;
-  Join(is_forward ? *showing : showing->Reversed(), best.places,
-       groups_[found]);
-  ++groups_[found].shown[source];
-  return Lesson{found, best.direction, false};
+  group.Add(ContributionOf(is_forward ? *showing : showing->Reversed(),
+                           best.places, group.types.size(), source, build),
+            types());
+  return Lesson{found, best.direction, is_new};
+}
+
+void SecLearner::Widen(size_t group, const std::vector<int>& wider) {
+  ShowingGroup& widened = groups_.at(group);
+  if (wider.size() != widened.types.size()) {
+    throw std::invalid_argument(fmt::format("{}: {} types for {} roles",
+                                            widened.name, wider.size(),
+                                            widened.types.size()));
+  }
+  widened.Widen(wider, types());
 }
 
 Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,
                                 bool is_undone) {
-  Group& shown = groups_.at(lesson.group);
+  ShowingGroup& shown = groups_.at(lesson.group);
+  if (shown.is_gone()) return Reason{"what was shown has been taken back"};
   const bool is_backwards =
       is_undone != (lesson.direction == ActionDirection::kReversed);
   if (shown.is_named) {
@@ -115,35 +148,77 @@ Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,
     }
     return lesson.group;
   }
-  Showing showing{{}, shown.types, shown.pick, shown.place, shown.chain};
-  if (is_backwards) showing = showing.Reversed();
-  const auto known = std::ranges::find_if(groups_, [&](const Group& group) {
-    return group.is_named && group.name == name;
-  });
-  if (known == groups_.end()) {
-    shown = {name,          true,          showing.types, showing.pick,
-             showing.place, showing.chain, shown.shown};
+  ShowingGroup read = is_backwards ? Reversed(shown) : shown;
+  ShowingGroup* known = Find(name);
+  if (known == nullptr || known == &shown) {
+    read.name = name;
+    read.is_named = true;
+    shown = std::move(read);
     return lesson.group;
   }
-  const Match match = MatchOf(*known, showing, false);
+  const Match match = MatchOf(*known, read.AsShowing(), false);
   if (match.similarity < params_.threshold ||
-      known->types.size() != showing.types.size()) {
+      known->types.size() != read.types.size()) {
     return Reason{"it does not change what " + name + " changes"};
   }
   if (match.direction != ActionDirection::kForward) {
     return Reason{
         name + (is_undone ? " was done, not undone" : " was undone, not done")};
   }
-  Join(showing, match.places, *known);
-  for (const auto& [source, count] : shown.shown) known->shown[source] += count;
+  known->Absorb(read, match.places, types());
+  known->is_named = true;
   shown = {};
-  return static_cast<size_t>(known - groups_.begin());
+  return static_cast<size_t>(known - groups_.data());
+}
+
+Result<bool> SecLearner::Merge(const std::string& name,
+                               const std::string& into) {
+  ShowingGroup* from = Find(name);
+  ShowingGroup* kept = Find(into);
+  if (from == nullptr || kept == nullptr) {
+    return Reason{"nothing has been learned of " +
+                  (from == nullptr ? name : into)};
+  }
+  if (from == kept) return Reason{name + " is the same action"};
+  const Match match = MatchOf(*kept, from->AsShowing(), false);
+  if (match.similarity < params_.threshold ||
+      kept->types.size() != from->types.size()) {
+    return Reason{
+        fmt::format("{} does not change what {} changes", name, into)};
+  }
+  if (match.direction != ActionDirection::kForward) {
+    return Reason{fmt::format("{} undoes what {} does", name, into)};
+  }
+  kept->Absorb(*from, match.places, types());
+  *from = {};
+  return true;
+}
+
+Result<std::vector<std::string>> SecLearner::TakeBack(
+    const std::string& demonstration) {
+  std::vector<ShowingGroup> left = groups_;
+  std::vector<std::string> names;
+  for (ShowingGroup& group : left) {
+    const auto has_taught = group.TakeBack(demonstration, types());
+    if (!has_taught) return Reason{has_taught.reason()};
+    if (*has_taught) names.push_back(group.name);
+  }
+  if (names.empty()) {
+    return Reason{"'" + demonstration + "' has taught nothing that is kept"};
+  }
+  groups_ = std::move(left);
+  return names;
+}
+
+void SecLearner::Forget(const std::string& name) {
+  CountMadeUp(name);
+  if (ShowingGroup* group = Find(name)) *group = {};
 }
 
 std::vector<SecLearner::Action> SecLearner::Actions() const {
   std::vector<Action> actions;
-  for (const Group& group : groups_) {
-    if (group.types.empty()) continue;
+  for (const ShowingGroup& group : groups_) {
+    if (group.is_gone()) continue;
     actions.push_back({group.name, group.is_named, ModelOf(group)});
   }
   std::ranges::sort(actions, {}, &Action::name);
@@ -151,11 +226,11 @@ std::vector<SecLearner::Action> SecLearner::Actions() const {
 }
 
 SecLearner::Action SecLearner::ActionOf(const Lesson& lesson) const {
-  const Group& group = groups_.at(lesson.group);
+  const ShowingGroup& group = groups_.at(lesson.group);
   return {group.name, group.is_named, ModelOf(group)};
 }
 
-SecLearner::Match SecLearner::MatchOf(const Group& group,
+SecLearner::Match SecLearner::MatchOf(const ShowingGroup& group,
                                       const Showing& showing,
                                       bool needs_types) const {
   Match best;
@@ -175,7 +250,8 @@ SecLearner::Match SecLearner::MatchOf(const Group& group,
   return best;
 }
 
-bool SecLearner::AreTypesKnown(const Group& group, const Showing& showing,
+bool SecLearner::AreTypesKnown(const ShowingGroup& group,
+                               const Showing& showing,
                                const RoleMap& places) const {
   for (size_t role = 0; role < places.size(); ++role) {
     if (places[role] && !words_->vocabulary.types().IsA(
@@ -186,7 +262,7 @@ bool SecLearner::AreTypesKnown(const Group& group, const Showing& showing,
   return true;
 }
 
-double SecLearner::Similarity(const Group& group, const Showing& showing,
+double SecLearner::Similarity(const ShowingGroup& group, const Showing& showing,
                               const RoleMap& places) const {
   const LiteralSet of_showing =
       OfMovedPart(ChangedLiterals(showing.pick, showing.place));
@@ -201,18 +277,7 @@ double SecLearner::Similarity(const Group& group, const Showing& showing,
          (1 - params_.literal_share) * chains;
 }
 
-void SecLearner::Join(const Showing& showing, const RoleMap& places,
-                      Group& group) const {
-  for (size_t role = 0; role < places.size(); ++role) {
-    if (!places[role]) continue;
-    int& type = group.types[*places[role]];
-    type = CommonType(words_->vocabulary.types(), type, showing.types[role]);
-  }
-  group.pick = Intersection(group.pick, Renamed(showing.pick, places));
-  group.place = Intersection(group.place, Renamed(showing.place, places));
-}
-
-LearnedModel SecLearner::ModelOf(const Group& group) const {
+LearnedModel SecLearner::ModelOf(const ShowingGroup& group) const {
   LearnedModel model;
   for (size_t role = 0; role < group.types.size(); ++role) {
     model.roles.push_back({kRoleNames[role], group.types[role]});
@@ -220,12 +285,14 @@ LearnedModel SecLearner::ModelOf(const Group& group) const {
   model.pick = Characteristic(group, true);
   model.place = Characteristic(group, false);
   model.chain = group.chain;
-  model.shown = group.shown;
+  model.shown = group.Shown();
+  model.taught = group.taught;
   return model;
 }
 
 /// What changes, what always relates the roles, and what only this action has.
-SceneFacts SecLearner::Characteristic(const Group& group, bool at_pick) const {
+SceneFacts SecLearner::Characteristic(const ShowingGroup& group,
+                                      bool at_pick) const {
   const std::set<Partner> partners = ChangedPartners(group.pick, group.place);
   const LiteralSet changed = ChangedLiterals(group.pick, group.place);
   const SceneFacts& all = at_pick ? group.pick : group.place;
@@ -266,11 +333,11 @@ SceneFacts SecLearner::Characteristic(const Group& group, bool at_pick) const {
 
 /// Some other group contradicts it, and none shares it.
 bool SecLearner::IsTelling(
-    const Group& group, bool at_pick,
+    const ShowingGroup& group, bool at_pick,
     const std::function<Stance(const SceneFacts&)>& stance) const {
   bool is_contradicted = false;
-  for (const Group& other : groups_) {
-    if (&other == &group || other.types.empty()) continue;
+  for (const ShowingGroup& other : groups_) {
+    if (&other == &group || other.is_gone()) continue;
     const Stance taken = stance(at_pick ? other.pick : other.place);
     if (taken == Stance::kShares) return false;
     is_contradicted = is_contradicted || taken == Stance::kContradicts;

@@ -14,6 +14,7 @@
 #include "common/sec/scene_words.h"
 #include "common/sec/sec_library.h"
 #include "common/sec/showing.h"
+#include "common/sec/showing_group.h"
 
 namespace cell {
 
@@ -55,11 +56,14 @@ class SecLearner {
   /// What was learned before; `name` begins with kMadeUp if nobody gave it.
   void Know(const std::string& name, const LearnedModel& model);
   static constexpr char kMadeUp[] = "Action";
+  static bool IsMadeUp(const std::string& name);
 
   /// Nothing if the manipulation has changed nothing.
   /// @param source  names the demonstration
+  /// @param build  that learns it
   std::optional<Lesson> Add(const ObservedManipulation& manipulation,
-                            const std::string& source);
+                            const std::string& source,
+                            const std::string& build = "");
 
   /// A person's name of what was shown; `is_undone`: it undoes the action. What
   /// has the name already becomes one group with it. The name's group.
@@ -68,20 +72,28 @@ class SecLearner {
   Result<size_t> Name(const Lesson& lesson, const std::string& name,
                       bool is_undone);
 
+  /// What has been learned of an action becomes part of another, and is gone.
+  /// Refused: one that is not known, and those that do not share a change.
+  Result<bool> Merge(const std::string& name, const std::string& into);
+  /// Forgets what a demonstration has taught: its actions go back to what the
+  /// others have taught; what it alone has taught is gone. The names of these
+  /// actions. Refused, and nothing is forgotten, if it has taught nothing, or
+  /// cannot be told from others.
+  Result<std::vector<std::string>> TakeBack(const std::string& demonstration);
+  /// Nothing is known of the action any more; its name, if it is made up, is
+  /// not used again.
+  void Forget(const std::string& name);
+  /// Showings with other objects join the group if their types are these, one
+  /// for each role of the group's model: wider than what was shown.
+  /// @throws std::invalid_argument for another number of types.
+  void Widen(size_t group, const std::vector<int>& wider);
+
   /// By name.
   std::vector<Action> Actions() const;
   /// What was learned of the lesson's action up to now.
   Action ActionOf(const Lesson& lesson) const;
 
  private:
-  struct Group {
-    std::string name;
-    bool is_named = false;
-    std::vector<int> types;  // of the roles; role 0 is moved
-    SceneFacts pick, place;  // what all showings share
-    EventChain chain;        // of its first showing
-    std::map<std::string, int> shown;
-  };
   /// How a showing is like a group.
   struct Match {
     double similarity = 0;
@@ -89,24 +101,26 @@ class SecLearner {
     RoleMap places;  // of the showing's roles in the group
   };
 
-  Match MatchOf(const Group& group, const Showing& showing,
+  void CountMadeUp(const std::string& name);
+  ShowingGroup* Find(const std::string& name);
+  const TypeHierarchy& types() const { return words_->vocabulary.types(); }
+  Match MatchOf(const ShowingGroup& group, const Showing& showing,
                 bool needs_types) const;
-  double Similarity(const Group& group, const Showing& showing,
+  double Similarity(const ShowingGroup& group, const Showing& showing,
                     const RoleMap& places) const;
-  bool AreTypesKnown(const Group& group, const Showing& showing,
+  bool AreTypesKnown(const ShowingGroup& group, const Showing& showing,
                      const RoleMap& places) const;
-  void Join(const Showing& showing, const RoleMap& places, Group& group) const;
-  LearnedModel ModelOf(const Group& group) const;
-  SceneFacts Characteristic(const Group& group, bool at_pick) const;
+  LearnedModel ModelOf(const ShowingGroup& group) const;
+  SceneFacts Characteristic(const ShowingGroup& group, bool at_pick) const;
   /// What the facts of another group say of one of its own.
   enum class Stance { kSilent, kShares, kContradicts };
-  bool IsTelling(const Group& group, bool at_pick,
+  bool IsTelling(const ShowingGroup& group, bool at_pick,
                  const std::function<Stance(const SceneFacts&)>& stance) const;
 
   std::shared_ptr<const SceneWords> words_;
   std::shared_ptr<const ChainSimilarity> similarity_;
   Params params_;
-  std::vector<Group> groups_;  // those that were joined to others are empty
+  std::vector<ShowingGroup> groups_;  // a lesson refers to its place
   size_t num_made_up_ = 0;
 };
 

@@ -32,6 +32,21 @@ struct ObservedManipulation {
   EventChain chain;           ///< of all pairs, from `before` to `after`
 };
 
+/// Something that a model says of a manipulation, and whether it is so.
+struct CheckedFact {
+  enum class When : int8_t {
+    kBefore,      ///< the pick-up
+    kAfter,       ///< the placement
+    kUnexplained  ///< it changed, but the model does not mention it
+  };
+  When when = When::kBefore;
+  std::string text;   ///< "touches table"
+  double weight = 0;  ///< in the agreement
+  double share = 0;   ///< that holds: 0, 1, or between if it is open
+  /// Without it there is no such action.
+  bool is_required = false;
+};
+
 /// How an action shows in a semantic event chain (section VII-A).
 class SecModel {
  public:
@@ -50,11 +65,21 @@ class SecModel {
   virtual std::vector<Roles> RolesAtPickUp(const std::string& part,
                                            const SensedFrame& before,
                                            ActionDirection direction) const = 0;
+  /// True if an object of these roles only stands in for those that the action
+  /// was shown with.
+  virtual bool HasStandIn(const Roles& /*roles*/) const { return false; }
   /// How well the manipulation agrees with the action in one of these roles:
   /// from 0 to 1.
   virtual double Agreement(const ObservedManipulation& manipulation,
                            const Roles& roles,
                            ActionDirection direction) const = 0;
+  /// What the agreement is made of, for people. Models that are not made of
+  /// facts have none.
+  virtual std::vector<CheckedFact> Check(
+      const ObservedManipulation& /*manipulation*/, const Roles& /*roles*/,
+      ActionDirection /*direction*/) const {
+    return {};
+  }
 };
 
 /// The actions that can be recognised. A manipulation is read as those models

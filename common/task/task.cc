@@ -21,9 +21,10 @@ std::vector<ActionModel> ReadActions(const Config& sec_config,
 
 }  // namespace
 
-std::shared_ptr<const PredicateSensor> Task::MakeSensor() const {
-  return std::make_shared<const PredicateSensor>(domain.vocabulary(), parts,
-                                                 layout.workspace, geometries);
+std::shared_ptr<const PredicateSensor> Task::MakeSensor(
+    const PoseUncertainty& uncertainty) const {
+  return std::make_shared<const PredicateSensor>(
+      domain.vocabulary(), parts, layout.workspace, geometries, uncertainty);
 }
 
 Task LoadTask(const Deployment& deployment) {

@@ -25,7 +25,8 @@ struct Task {
   std::vector<ActionModel> actions;           ///< in the domain's order
 
   /// What senses the domain's predicates.
-  std::shared_ptr<const PredicateSensor> MakeSensor() const;
+  std::shared_ptr<const PredicateSensor> MakeSensor(
+      const PoseUncertainty& uncertainty = {}) const;
 };
 
 /// @throws ConfigError naming file:key.

@@ -23,10 +23,18 @@ inline constexpr char kOwnedByAnother[] =
     "another process owns it; end that one first (a cell that runs owns its "
     "library)";
 
+/// What was done to a library, all of it: a command, or a run.
+struct StoreChange {
+  int64_t number = 0;  ///< from 1; the last one's is the library's version
+  std::string what;
+  std::string build;  ///< that did it
+};
+
 /// Keeps action records; ids ascend in the order of storing. A record of a
 /// higher version replaces those of its name. Records stored in a run carry its
 /// tick, so that a restarted service can remove those not yet answered, and
-/// restore those that they had replaced. Every call may throw StoreError.
+/// restore those that they had replaced. What a library held before each of its
+/// last changes is kept, too. Every call may throw StoreError.
 class ActionStore {
  public:
   ActionStore() = default;
@@ -48,6 +56,8 @@ class ActionStore {
       const std::string& name) const = 0;
   /// The latest version of each name, by id.
   virtual std::vector<ActionRecord> All() const = 0;
+  /// What All() was before the run.
+  virtual std::vector<ActionRecord> BeforeRun() const = 0;
   /// How many names.
   virtual int64_t Count() const = 0;
 
@@ -56,6 +66,18 @@ class ActionStore {
   virtual void BeginRun() = 0;
   /// Forgets what was stored in `tick` of this run and later.
   virtual void RollBackTo(int32_t tick) = 0;
+
+  /// What is stored from now on belongs to this change. One that has changed
+  /// nothing is forgotten.
+  virtual void BeginChange(const std::string& what) = 0;
+  /// The last of them, by number.
+  static constexpr int64_t kMaxChanges = 100;
+  virtual std::vector<StoreChange> Changes() const = 0;
+  /// By which the record with this id was stored; nullopt if that is not kept.
+  virtual std::optional<StoreChange> ChangeOf(int64_t id) const = 0;
+  /// All() before the change; nullopt if there is none of this number.
+  virtual std::optional<std::vector<ActionRecord>> ContentBefore(
+      int64_t number) const = 0;
 
   virtual int schema_version() const = 0;
 };

@@ -1,5 +1,7 @@
 #include "services/library/library.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -35,6 +37,8 @@ Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
                             [this](const auto& m) { return OnEpisode(m); });
   AnswerCommands<library_request_t>(
       bus_, "LIBRARY_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  AnswerCommands<command_library_t>(
+      bus_, "COMMAND_LIBRARY", [this](const auto& m) { return OnCommand(m); });
   bus_.Subscribe<action_record_t>("STORE_REQUEST",
                                   [this](const auto& m) { OnStoreRequest(m); });
 }
@@ -80,6 +84,43 @@ CommandAnswer Library::OnRequest(const library_request_t& message) {
   return CommandAnswer::Accept(record->name + " follows on ACTION_RECORD");
 }
 
+CommandAnswer Library::OnCommand(const command_library_t& message) {
+  const auto records = EditOf(message);
+  if (!records) return CommandAnswer::Refuse(records.reason());
+  if (const auto why = WhyNotAll(*records, check_, *store_); !why.empty()) {
+    return CommandAnswer::Refuse(why);
+  }
+  const auto ids = store_->Store(*records, bus_.tick());
+  std::string names;
+  for (size_t i = 0; i < ids.size(); ++i) {
+    Publish(*store_->Find(ids[i]), message.header.utime);
+    names += (i > 0 ? ", " : "") + (*records)[i].name +
+             ((*records)[i].is_removed() ? " (removed)" : "");
+  }
+  return CommandAnswer::Accept("changed: " + names);
+}
+
+Result<RecordEdits::Records> Library::EditOf(
+    const command_library_t& message) const {
+  const auto content = store_->All();
+  const RecordEdits edits(content, check_.domain(), check_.parts());
+  switch (message.kind) {
+    case command_library_t::RENAME:
+      return edits.Rename(message.name, message.other);
+    case command_library_t::REMOVE:
+      return edits.Remove(message.name);
+    case command_library_t::MERGE:
+      return edits.Merge(message.name, message.other);
+    case command_library_t::TAKE_BACK:
+      return edits.TakeBack(message.name);
+    case command_library_t::ROLL_BACK:
+      return edits.Restore(store_->BeforeRun());
+    default:
+      return Reason{
+          fmt::format("there is no kind {} of change", int{message.kind})};
+  }
+}
+
 void Library::OnStoreRequest(const action_record_t& message) {
   stored_t answer{};
   answer.header.utime = message.header.utime;
@@ -118,7 +159,8 @@ std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
   if (const auto why = check.WhyOfAnotherTask(*store)) {
     throw StoreError(
         "the library's " + *why +
-        "; it was stored for another task: name another --database");
+        "; it was stored for another task, or by a build that says this "
+        "otherwise: name another --database, or use that build");
   }
   return std::make_unique<Library>(bus, std::move(store), std::move(check));
 }

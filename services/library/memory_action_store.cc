@@ -1,6 +1,10 @@
 #include "services/library/memory_action_store.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "common/actions/build_version.h"
 
 namespace cell::library {
 
@@ -20,7 +24,8 @@ std::vector<int64_t> MemoryActionStore::Store(
                                   "' already exists");
     }
     ids.push_back(rows_.empty() ? 1 : rows_.back().record.id + 1);
-    rows_.push_back({record, tick});
+    rows_.push_back(
+        {record, tick, changes_.empty() ? 0 : changes_.back().change.number});
     rows_.back().record.id = ids.back();
   }
   return ids;
@@ -52,16 +57,57 @@ std::vector<ActionRecord> MemoryActionStore::All() const {
   return latest;
 }
 
+std::vector<ActionRecord> MemoryActionStore::BeforeRun() const {
+  MemoryActionStore before;
+  std::ranges::copy_if(rows_, std::back_inserter(before.rows_),
+                       [](const Row& row) { return row.tick == kBeforeRun; });
+  return before.All();
+}
+
 void MemoryActionStore::BeginRun() {
-  const std::vector<ActionRecord> latest = All();
-  rows_.clear();
-  for (const ActionRecord& record : latest) {
-    rows_.push_back({record, kBeforeRun});
-  }
+  std::erase_if(rows_,
+                [this](const Row& row) { return IsReplaced(row.record); });
+  for (Row& row : rows_) row.tick = kBeforeRun;
 }
 
 void MemoryActionStore::RollBackTo(int32_t tick) {
   while (!rows_.empty() && rows_.back().tick >= tick) rows_.pop_back();
+}
+
+void MemoryActionStore::BeginChange(const std::string& what) {
+  std::vector<ActionRecord> before = All();
+  if (!changes_.empty() && changes_.back().before == before) {
+    changes_.back().change.what = what;
+    return;
+  }
+  const int64_t number =
+      changes_.empty() ? 1 : changes_.back().change.number + 1;
+  changes_.push_back({{number, what, BuildVersion()}, std::move(before)});
+  if (changes_.size() > kMaxChanges) changes_.erase(changes_.begin());
+}
+
+std::vector<StoreChange> MemoryActionStore::Changes() const {
+  std::vector<StoreChange> changes;
+  for (const Change& change : changes_) changes.push_back(change.change);
+  return changes;
+}
+
+std::optional<StoreChange> MemoryActionStore::ChangeOf(int64_t id) const {
+  const auto row =
+      std::ranges::find(rows_, id, [](const Row& r) { return r.record.id; });
+  if (row == rows_.end()) return std::nullopt;
+  for (const Change& change : changes_) {
+    if (change.change.number == row->change) return change.change;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<ActionRecord>> MemoryActionStore::ContentBefore(
+    int64_t number) const {
+  for (const Change& change : changes_) {
+    if (change.change.number == number) return change.before;
+  }
+  return std::nullopt;
 }
 
 }  // namespace cell::library

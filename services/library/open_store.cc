@@ -25,8 +25,12 @@ std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
   }
   if (store->Count() == 0) {
     const Task task = LoadTask(deployment);
+    store->BeginChange("actions of the task " +
+                       deployment.task_dir.filename().string());
     store->Store(WriteActionModels(task.actions, task.domain), kBeforeRun);
   }
+  store->BeginChange(run_dir.empty() ? "a cell"
+                                     : "run " + run_dir.filename().string());
   // A process that comes back within the run finds it there.
   const auto content = run_dir / kStartContentName;
   if (!run_dir.empty() && !std::filesystem::exists(content)) {

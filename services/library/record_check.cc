@@ -54,7 +54,10 @@ std::optional<std::string> RecordCheck::WhyOfAnotherTask(
     try {
       RequireSense(record, store);
     } catch (const ConfigError& e) {
-      return fmt::format("action {}: {}", record.id, e.what());
+      const auto change = store.ChangeOf(record.id);
+      return fmt::format("action {}: {} (stored by {})", record.id, e.what(),
+                         change ? "build " + change->build
+                                : "a build that did not say which it was");
     }
   }
   return std::nullopt;
@@ -134,9 +137,17 @@ void RecordCheck::RequireSense(const ActionRecord& record,
          fmt::format("a new version must keep those of the last: {}",
                      fmt::join(TypesOf(*known), ", ")));
   }
+  if (record.is_removed()) {
+    for (const ActionRecord& other : store.All()) {
+      if (other.undoes != record.name) continue;
+      fail("agents",
+           fmt::format("'{}' undoes it; remove that first", other.name));
+    }
+  }
   if (!record.undoes.empty()) {
     const auto undone = store.FindNamed(record.undoes);
-    if (!undone) fail("undoes", "there is no action '" + record.undoes + "'");
+    if (!undone || undone->is_removed())
+      fail("undoes", "there is no action '" + record.undoes + "'");
     if (TypesOf(*undone) != TypesOf(record)) {
       fail("undoes", "'" + record.undoes + "' takes other arguments");
     }

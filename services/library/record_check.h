@@ -35,6 +35,9 @@ class RecordCheck {
   /// @throws ConfigError.
   static RecordCheck FromTask(const Deployment& deployment);
 
+  const Domain& domain() const { return domain_; }
+  const PartTable& parts() const { return parts_; }
+
   /// Nothing: `store` may keep it.
   std::optional<Refusal> WhyNot(const ActionRecord& record,
                                 const ActionStore& store) const;

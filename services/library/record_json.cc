@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "common/actions/build_version.h"
+
 namespace cell::library {
 namespace {
 
@@ -13,7 +15,8 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr char kFormat[] = "actions of a cell";
-constexpr int kVersion = 2;  // of 1 records have no version
+// In 1 records have no version; in 1 and 2 the content does not name the build.
+constexpr int kVersion = 3;
 
 // The keys of texts, in the order of the struct.
 struct TextKey {
@@ -130,7 +133,8 @@ ActionRecord RecordFromJson(const json& object, const std::string& where) {
 }
 
 std::string TextOfContent(const std::vector<ActionRecord>& records) {
-  ordered_json content = {{"format", kFormat}, {"version", kVersion}};
+  ordered_json content = {
+      {"format", kFormat}, {"version", kVersion}, {"build", BuildVersion()}};
   content["actions"] = ordered_json::array();
   for (const ActionRecord& record : records) {
     content["actions"].push_back(ToJson(record));
@@ -142,15 +146,23 @@ std::vector<ActionRecord> ContentFromText(const std::string& text,
                                           const std::string& file) {
   const json content = json::parse(text, nullptr, false);
   if (content.is_discarded()) Fail(file, "is not JSON");
-  RequireObject(content, file, {"format", "version", "actions"});
+  if (!content.is_object()) Fail(file, "should be an object");
   if (TextAt(content, "format", file) != kFormat) {
     Fail(file + ".format", fmt::format("should be '{}'", kFormat));
   }
   const int64_t version = NumberAt(content, "version", file);
   if (version < 1 || version > kVersion) {
+    const auto build = content.find("build");
     Fail(file + ".version",
-         fmt::format("is not a known version, 1 to {}", kVersion));
+         fmt::format("is {}; this build ({}) reads 1 to {}; use {}, or a newer "
+                     "one",
+                     version, BuildVersion(), kVersion,
+                     build != content.end() && build->is_string()
+                         ? "build " + build->get<std::string>()
+                         : "the build of the cell that wrote it"));
   }
+  RequireObject(content, file, {"format", "version", "build", "actions"});
+  if (version >= 3) TextAt(content, "build", file);
   std::vector<ActionRecord> records;
   for (json item : ListAt(content, "actions", file)) {
     if (version == 1 && item.is_object()) item["version"] = 1;

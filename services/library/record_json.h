@@ -20,7 +20,8 @@ ActionRecord RecordFromJson(const nlohmann::json& json,
 
 /// A library's content as text:
 ///
-///   {"format": "actions of a cell", "version": 1, "actions": [{...}, ...]}
+///   {"format": "actions of a cell", "version": 3, "build": "0.1.0",
+///    "actions": [{...}, ...]}
 std::string TextOfContent(const std::vector<ActionRecord>& records);
 /// @param file  begins the error
 /// @throws std::invalid_argument naming file and key.

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <limits>
+
+#include "common/actions/build_version.h"
 #include "services/library/record_json.h"
 #include "services/library/sqlite_schema.h"
 
@@ -100,6 +103,11 @@ ActionRecord RecordFrom(const SQLite::Statement& row,
   }
 }
 
+StoreChange ChangeFrom(const SQLite::Statement& row) {
+  return {row.getColumn(0).getInt64(), row.getColumn(1).getString(),
+          row.getColumn(2).getString()};
+}
+
 }  // namespace
 
 template <class Function>
@@ -141,8 +149,8 @@ std::vector<int64_t> SqliteActionStore::Store(
     SQLite::Transaction transaction(*database_);
     SQLite::Statement insert(
         *database_,
-        "INSERT INTO action (id, name, version, record, tick) "
-        "VALUES (?, ?, ?, ?, ?)");
+        "INSERT INTO action (id, name, version, record, tick, change) VALUES "
+        "(?, ?, ?, ?, ?, (SELECT ifnull(max(number), 0) FROM change))");
     int64_t id = 0;
     {
       SQLite::Statement last(*database_, "SELECT max(id) FROM action");
@@ -192,15 +200,25 @@ std::optional<ActionRecord> SqliteActionStore::FindNamed(
   });
 }
 
-std::vector<ActionRecord> SqliteActionStore::All() const {
+/// Of each name, as stored before the tick.
+std::vector<ActionRecord> SqliteActionStore::Latest(int32_t before_tick) const {
   return Guarded([&] {
     std::vector<ActionRecord> records;
     SQLite::Statement rows(*database_,
-                           "SELECT id, record, max(version) FROM action "
-                           "GROUP BY name ORDER BY id");
+                           "SELECT id, record, max(version) FROM action WHERE "
+                           "tick < ? GROUP BY name ORDER BY id");
+    rows.bind(1, before_tick);
     while (rows.executeStep()) records.push_back(RecordFrom(rows, file_));
     return records;
   });
+}
+
+std::vector<ActionRecord> SqliteActionStore::All() const {
+  return Latest(std::numeric_limits<int32_t>::max());
+}
+
+std::vector<ActionRecord> SqliteActionStore::BeforeRun() const {
+  return Latest(kBeforeRun + 1);
 }
 
 int64_t SqliteActionStore::Count() const {
@@ -229,6 +247,70 @@ void SqliteActionStore::RollBackTo(int32_t tick) {
     SQLite::Statement remove(*database_, "DELETE FROM action WHERE tick >= ?");
     remove.bind(1, tick);
     remove.exec();
+  });
+}
+
+void SqliteActionStore::BeginChange(const std::string& what) {
+  const std::string before = TextOfContent(All());
+  Guarded([&] {
+    SQLite::Transaction transaction(*database_);
+    SQLite::Statement idle(*database_,
+                           "DELETE FROM change WHERE before = ? AND number = "
+                           "(SELECT max(number) FROM change)");
+    idle.bind(1, before);
+    idle.exec();
+    SQLite::Statement insert(
+        *database_,
+        "INSERT INTO change (number, what, build, before) VALUES "
+        "((SELECT ifnull(max(number), 0) + 1 FROM change), ?, ?, ?)");
+    insert.bind(1, what);
+    insert.bind(2, BuildVersion());
+    insert.bind(3, before);
+    insert.exec();
+    SQLite::Statement remove(*database_,
+                             "DELETE FROM change WHERE number <= "
+                             "(SELECT max(number) FROM change) - ?");
+    remove.bind(1, kMaxChanges);
+    remove.exec();
+    transaction.commit();
+  });
+}
+
+std::vector<StoreChange> SqliteActionStore::Changes() const {
+  return Guarded([&] {
+    std::vector<StoreChange> changes;
+    SQLite::Statement rows(
+        *database_, "SELECT number, what, build FROM change ORDER BY number");
+    while (rows.executeStep()) changes.push_back(ChangeFrom(rows));
+    return changes;
+  });
+}
+
+std::optional<StoreChange> SqliteActionStore::ChangeOf(int64_t id) const {
+  return Guarded([&]() -> std::optional<StoreChange> {
+    SQLite::Statement rows(*database_,
+                           "SELECT number, what, build FROM change WHERE "
+                           "number = (SELECT change FROM action WHERE id = ?)");
+    rows.bind(1, id);
+    if (!rows.executeStep()) return std::nullopt;
+    return ChangeFrom(rows);
+  });
+}
+
+std::optional<std::vector<ActionRecord>> SqliteActionStore::ContentBefore(
+    int64_t number) const {
+  return Guarded([&]() -> std::optional<std::vector<ActionRecord>> {
+    SQLite::Statement rows(*database_,
+                           "SELECT before FROM change WHERE number = ?");
+    rows.bind(1, number);
+    if (!rows.executeStep()) return std::nullopt;
+    const std::string where =
+        fmt::format("{}:change {}", file_.string(), number);
+    try {
+      return ContentFromText(rows.getColumn(0).getString(), where);
+    } catch (const std::invalid_argument& e) {
+      throw StoreError(std::string(e.what()) + "; the file " + kDamaged);
+    }
   });
 }
 

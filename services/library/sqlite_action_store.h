@@ -35,12 +35,19 @@ class SqliteActionStore final : public ActionStore {
   std::optional<ActionRecord> Find(int64_t id) const override;
   std::optional<ActionRecord> FindNamed(const std::string& name) const override;
   std::vector<ActionRecord> All() const override;
+  std::vector<ActionRecord> BeforeRun() const override;
   int64_t Count() const override;
   void BeginRun() override;
   void RollBackTo(int32_t tick) override;
+  void BeginChange(const std::string& what) override;
+  std::vector<StoreChange> Changes() const override;
+  std::optional<StoreChange> ChangeOf(int64_t id) const override;
+  std::optional<std::vector<ActionRecord>> ContentBefore(
+      int64_t number) const override;
   int schema_version() const override;
 
  private:
+  std::vector<ActionRecord> Latest(int32_t before_tick) const;
   template <class Function>
   auto Guarded(Function function) const;
 

@@ -6,6 +6,9 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
+
+#include "common/actions/build_version.h"
 
 namespace cell::library {
 namespace {
@@ -40,11 +43,32 @@ constexpr std::array kSteps = {
         FROM unversioned;
       DROP TABLE unversioned;
     )sql",
+    // change: what was done to the library, and the content (record_json.h)
+    // before it; of an action: by which it was stored, 0: not known.
+    R"sql(
+      CREATE TABLE change (
+        number INTEGER PRIMARY KEY,
+        what TEXT NOT NULL,
+        build TEXT NOT NULL,
+        before TEXT NOT NULL
+      ) STRICT;
+      ALTER TABLE action ADD COLUMN change INTEGER NOT NULL DEFAULT 0;
+    )sql",
 };
 
 int Number(const SQLite::Database& database, const char* query) {
   SQLite::Statement statement(database, query);
   return statement.executeStep() ? statement.getColumn(0).getInt() : 0;
+}
+
+/// The build that changed a newer database last, as far as it says.
+std::string LastBuild(const SQLite::Database& database) {
+  if (database.tableExists("change")) {
+    SQLite::Statement last(
+        database, "SELECT build FROM change ORDER BY number DESC LIMIT 1");
+    if (last.executeStep()) return "build " + last.getColumn(0).getString();
+  }
+  return "the build of the cell that wrote it";
 }
 
 }  // namespace
@@ -63,10 +87,11 @@ int SchemaVersion(const SQLite::Database& database, int newest) {
         "is the database of another program; name another file");
   }
   if (version > newest) {
-    throw std::invalid_argument(fmt::format(
-        "has schema {}, newer than {}, the newest known here; use the version "
-        "of the cell that wrote it, or a newer one",
-        version, newest));
+    throw std::invalid_argument(
+        fmt::format("has schema {}, newer than {}, the newest known to this "
+                    "build ({}); use "
+                    "{}, or a newer one",
+                    version, newest, BuildVersion(), LastBuild(database)));
   }
   return version;
 }

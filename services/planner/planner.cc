@@ -39,8 +39,8 @@ Planner::Planner(Bus& bus, Domain domain,
                                    [this](const auto& m) { return OnMode(m); });
   bus_.Subscribe<predicates_t>(
       "PREDICATES", [this](const auto& m) { return OnPredicates(m); });
-  bus_.Subscribe<action_t>("ACTION",
-                           [this](const auto& m) { return OnAction(m); });
+  bus_.Subscribe<recognised_action_t>(
+      "ACTION", [this](const auto& m) { return OnAction(m); });
   bus_.Subscribe<action_record_t>(
       "ACTION_RECORD", [this](const auto& m) { return OnRecord(m); });
   bus_.Subscribe<skill_result_t>("SKILL_RESULT",
@@ -96,7 +96,7 @@ bool Planner::OnPredicates(const predicates_t& message) {
   return sensed.has_value();
 }
 
-bool Planner::OnAction(const action_t& message) {
+bool Planner::OnAction(const recognised_action_t& message) {
   if (episode_.IsBefore(message.header.utime)) return true;
   const auto action = FromMessage(message, decision_maker_->rules());
   if (action) Publish(decision_maker_->state().OnAction(*action));

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "cell/action_record_t.hpp"
-#include "cell/action_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
@@ -35,7 +35,7 @@ class Planner final : public Service {
   CommandAnswer OnGoal(const command_goal_t& message);
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
-  bool OnAction(const action_t& message);
+  bool OnAction(const recognised_action_t& message);
   bool OnRecord(const action_record_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "common/relational/ground_action.h"
+
 namespace cell::planner {
 namespace {
 
@@ -98,7 +100,33 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
   return sensed;
 }
 
-std::optional<DoneAction> FromMessage(const action_t& message,
+namespace {
+
+/// The action with the objects it was seen with; the part that was moved may
+/// stand in for what the rules take.
+std::optional<GroundAction> ObservedAction(const recognised_action_t& message,
+                                           int part, const RuleSet& rules) {
+  const Vocabulary& vocabulary = rules.vocabulary();
+  const auto index = FindAction(rules.actions(), message.name);
+  if (!index) return std::nullopt;
+  const auto& arguments =
+      rules.actions()[static_cast<size_t>(*index)].arguments;
+  if (message.arguments.size() != arguments.size()) return std::nullopt;
+  GroundAction ground{*index, {}};
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const auto object = vocabulary.FindObject(message.arguments[i]);
+    if (!object ||
+        (object != part && !vocabulary.IsOf(*object, arguments[i].type))) {
+      return std::nullopt;
+    }
+    ground.arguments.push_back(*object);
+  }
+  return ground;
+}
+
+}  // namespace
+
+std::optional<DoneAction> FromMessage(const recognised_action_t& message,
                                       const RuleSet& rules) {
   const std::optional<int> part = rules.vocabulary().FindObject(message.part);
   constexpr int64_t kMaxUtime = int64_t{1} << 60;  // sums stay in range
@@ -117,14 +145,14 @@ std::optional<DoneAction> FromMessage(const action_t& message,
                     {*part},
                     "moving " + message.part,
                     message.pick_utime};
-  if (message.kind == action_t::UNKNOWN) return action;
-  const auto ground = rules.FindGroundAction(message.name, message.arguments);
+  if (message.kind == recognised_action_t::UNKNOWN) return action;
+  const auto ground = ObservedAction(message, *part, rules);
   if (!ground) return std::nullopt;
   action.objects.insert(action.objects.end(), ground->arguments.begin(),
                         ground->arguments.end());
   action.text = rules.Show(*ground);
-  if (message.kind == action_t::FORWARD) return action;
-  if (message.kind != action_t::REVERSED) return std::nullopt;
+  if (message.kind == recognised_action_t::FORWARD) return action;
+  if (message.kind != recognised_action_t::REVERSED) return std::nullopt;
   action.text = "taking back " + action.text;
   return action;
 }

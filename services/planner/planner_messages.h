@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "common/relational/rule_set.h"
 #include "services/planner/decision_maker.h"
 
@@ -17,7 +17,7 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
                                        const Vocabulary& vocabulary);
 
 /// Nullopt if names, arguments, codes or key frames cannot be.
-std::optional<DoneAction> FromMessage(const action_t& message,
+std::optional<DoneAction> FromMessage(const recognised_action_t& message,
                                       const RuleSet& rules);
 
 plan_t ToMessage(const PlanOfState& plan, const RuleSet& rules);

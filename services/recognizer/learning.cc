@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/actions/action_model_writer.h"
+#include "common/actions/build_version.h"
 #include "common/actions/sec_models.h"
 #include "common/sec/chain_similarities.h"
 
@@ -58,7 +59,7 @@ Learning::Learning(const ActionModels& actions)
 
 void Learning::OnManipulation(const ObservedManipulation& manipulation,
                               const std::string& source) {
-  last_ = learner_.Add(manipulation, source);
+  last_ = learner_.Add(manipulation, source, BuildVersion());
   has_news_ = has_news_ || last_.has_value();
 }
 
@@ -70,13 +71,16 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
         "touches"};
   }
   const SecLearner::Action shown = learner_.ActionOf(*last_);
-  if (const ActionModel* known = Find(actions, name)) {
-    const auto fitted = FitToArguments(shown.model, known->action.arguments,
-                                       actions.domain().vocabulary().types());
-    if (!fitted) return Reason{name + ": " + fitted.reason()};
+  const ActionModel* known = Find(actions, name);
+  const TypeHierarchy& types = actions.domain().vocabulary().types();
+  if (known != nullptr) {
+    const auto fitting =
+        ArgumentsOf(shown.model.roles, known->action.arguments, types);
+    if (!fitting) return Reason{name + ": " + fitting.reason()};
   }
   const Result<size_t> group = learner_.Name(*last_, name, is_undone);
   if (!group) return Reason{group.reason()};
+  if (known != nullptr) WidenTo(known->action.arguments, *group, types);
   last_ = SecLearner::Lesson{
       *group,
       is_undone ? ActionDirection::kReversed : ActionDirection::kForward,
@@ -86,29 +90,47 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
   return fmt::format("what was shown {} {}", is_undone ? "undoes" : "is", name);
 }
 
+/// What is recognised as the action from now on is a showing of it, too.
+void Learning::WidenTo(const std::vector<Variable>& arguments, size_t group,
+                       const TypeHierarchy& types) {
+  const LearnedModel model =
+      learner_.ActionOf({group, ActionDirection::kForward, false}).model;
+  const auto order = ArgumentsOf(model.roles, arguments, types);
+  if (!order) return;
+  std::vector<int> wide;
+  for (const size_t argument : *order) wide.push_back(arguments[argument].type);
+  learner_.Widen(group, wide);
+}
+
 void Learning::OnRecord(const std::string& name, const ActionModels& actions) {
   has_news_ = true;
   if (requested_.erase(name) > 0) return;  // it says what this asked for
   const ActionModel* model = Find(actions, name);
-  if (model == nullptr || !model->sec) return;
-  learner_.Know(name, *model->sec);
+  if (model != nullptr && model->sec) {
+    learner_.Know(name, *model->sec);
+  } else {
+    learner_.Forget(name);
+  }
+}
+
+void Learning::OnDemonstrationEnd() {
+  keeps_confirmations_ = true;
+  has_news_ = true;
 }
 
 std::vector<ActionRecord> Learning::TakeChanges(const ActionModels& actions) {
   std::vector<ActionRecord> changes;
   if (!std::exchange(has_news_, false)) return changes;
+  const bool keeps_confirmations = std::exchange(keeps_confirmations_, false);
   for (const std::string& name : std::exchange(renamed_, {})) {
     const ActionModel* known = Find(actions, name);
     if (known == nullptr || !known->sec) continue;
-    ActionModel retired = *known;
-    ++retired.version;
-    retired.sec.reset();
     requested_.insert(name);
-    changes.push_back(WriteActionModel(retired, actions.domain()));
+    changes.push_back(Removed(WriteActionModel(*known, actions.domain())));
   }
   for (const SecLearner::Action& action : learner_.Actions()) {
     if (requested_.contains(action.name)) continue;
-    if (auto change = ChangeOf(action, actions)) {
+    if (auto change = ChangeOf(action, actions, keeps_confirmations)) {
       requested_.insert(action.name);
       changes.push_back(*std::move(change));
     }
@@ -117,18 +139,22 @@ std::vector<ActionRecord> Learning::TakeChanges(const ActionModels& actions) {
 }
 
 std::optional<ActionRecord> Learning::ChangeOf(
-    const SecLearner::Action& learned, const ActionModels& actions) const {
+    const SecLearner::Action& learned, const ActionModels& actions,
+    bool keeps_confirmations) const {
   const ActionModel* known = Find(actions, learned.name);
   ActionModel model;
   if (known != nullptr) {
     model = *known;
     ++model.version;
+    if (model.action.agents.empty()) model.action = ActionOf(learned);
   } else {
     model.action = ActionOf(learned);
   }
   const auto fitted = FitToArguments(learned.model, model.action.arguments,
                                      actions.domain().vocabulary().types());
-  if (!fitted || (model.sec && fitted->SaysTheSame(*model.sec))) {
+  if (!fitted ||
+      (model.sec && fitted->SaysTheSame(*model.sec) &&
+       (!keeps_confirmations || fitted->shown == model.sec->shown))) {
     return std::nullopt;
   }
   model.sec = *fitted;

@@ -31,6 +31,9 @@ class Learning {
   /// The library's word on an action: what is shown from now on refines it.
   void OnRecord(const std::string& name, const ActionModels& actions);
 
+  /// What has only confirmed an action is kept now, too.
+  void OnDemonstrationEnd();
+
   /// Records that say something else than `actions`, each once: until the
   /// library has answered, nothing more is said of that action.
   std::vector<ActionRecord> TakeChanges(const ActionModels& actions);
@@ -38,12 +41,16 @@ class Learning {
   void OnRefusal() { requested_.clear(); }
 
  private:
+  void WidenTo(const std::vector<Variable>& arguments, size_t group,
+               const TypeHierarchy& types);
   std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,
-                                       const ActionModels& actions) const;
+                                       const ActionModels& actions,
+                                       bool keeps_confirmations) const;
 
   SecLearner learner_;
   std::optional<SecLearner::Lesson> last_;
   bool has_news_ = false;
+  bool keeps_confirmations_ = false;
   std::set<std::string> requested_;  // names
   std::set<std::string> renamed_;    // made-up names that are not used any more
 };

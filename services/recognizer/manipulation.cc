@@ -6,6 +6,15 @@
 
 namespace cell::recognizer {
 
+namespace {
+
+bool IsSame(const Manipulation::Hypothesis& a,
+            const Manipulation::Hypothesis& b) {
+  return a.model == b.model && a.roles == b.roles && a.direction == b.direction;
+}
+
+}  // namespace
+
 Manipulation::Manipulation(const SecLibrary& library, PickUp pick_up)
     : pick_up_(std::move(pick_up)), threshold_(library.threshold()) {
   chain_.Append(before().frame.relations);
@@ -39,11 +48,33 @@ std::vector<Manipulation::Reading> Manipulation::CompletedBy(
     of_direction = std::max(of_direction, agreements[i]);
   }
   std::vector<Reading> completed;
+  std::vector<bool> is_completed(hypotheses_.size(), false);
   for (size_t i = 0; i < hypotheses_.size(); ++i) {
     if (agreements[i] < best.at(hypotheses_[i].direction)) continue;
-    completed.push_back({hypotheses_[i], agreements[i]});
+    completed.push_back({hypotheses_[i], agreements[i], 0});
+    is_completed[i] = true;
+  }
+  for (Reading& reading : completed) {
+    double next = 0;
+    for (size_t i = 0; i < hypotheses_.size(); ++i) {
+      // Undone and done may hold together; two of one direction may not.
+      const bool may_hold_too =
+          is_completed[i] &&
+          (hypotheses_[i].direction != reading.hypothesis.direction ||
+           IsSame(hypotheses_[i], reading.hypothesis));
+      if (!may_hold_too) next = std::max(next, agreements[i]);
+    }
+    reading.confidence = std::max(0.0, reading.agreement - next / 2);
   }
   return completed;
+}
+
+double Manipulation::ConfidenceInNone(const SensedFrame& after) const {
+  double best = 0;
+  for (const double agreement : Agreements(after)) {
+    best = std::max(best, agreement);
+  }
+  return 1 - best;
 }
 
 }  // namespace cell::recognizer

@@ -24,6 +24,9 @@ class Manipulation {
   struct Reading {
     Hypothesis hypothesis;
     double agreement = 0;  // from 0 to 1
+    /// The mean of the agreement and of its lead over the best other reading,
+    /// which does not hold along with it.
+    double confidence = 0;
   };
   struct PickUp {
     std::string part;
@@ -48,6 +51,10 @@ class Manipulation {
   /// undo one action and do another. Those reversed come first: what was undone
   /// came before what was done.
   std::vector<Reading> CompletedBy(const SensedFrame& after) const;
+
+  /// How sure it is that the manipulation which ends in `after` is none of the
+  /// hypotheses: what the best of them lacks.
+  double ConfidenceInNone(const SensedFrame& after) const;
 
   const std::string& part() const { return pick_up_.part; }
   const std::set<std::string>& hands() const { return hands_; }

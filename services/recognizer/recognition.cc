@@ -4,12 +4,18 @@
 #include <iterator>
 #include <utility>
 
+#include "common/geometry/degree.h"
 #include "common/predicates/seat.h"
 #include "common/scene/scene.h"
 
 namespace cell::recognizer {
 
 using Eigen::Isometry3d;
+
+Recognition::Params Recognition::Params::Load(const Config& config) {
+  return {.moved = config.Number("moved_mm", 0, 1000) * 1e-3,
+          .turned = config.Number("turned_deg", 0, 180) * kDegree};
+}
 
 Recognition::Recognition(const SceneObjects& scene_objects,
                          const PartTable& parts,
@@ -170,7 +176,11 @@ RecognisedAction Recognition::Report(const Manipulation& manipulation,
     action.direction = reading->hypothesis.direction;
     action.name = reading->hypothesis.model->action();
     action.arguments = reading->hypothesis.roles;
-    action.confidence = reading->agreement;
+    action.has_stand_in =
+        reading->hypothesis.model->HasStandIn(action.arguments);
+    action.confidence = reading->confidence;
+  } else {
+    action.confidence = manipulation.ConfidenceInNone(after);
   }
   action.part = manipulation.part();
   action.hands.assign(manipulation.hands().begin(), manipulation.hands().end());

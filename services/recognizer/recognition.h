@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/config/config.h"
 #include "common/predicates/predicate_sensor.h"
 #include "common/scene/scene_objects.h"
 #include "common/sec/sec_library.h"
@@ -18,11 +19,14 @@ namespace cell::recognizer {
 /// A manipulation that was recognised.
 struct RecognisedAction {
   ActionDirection direction = ActionDirection::kUnknown;
-  std::string name;                    ///< empty if unknown
-  double confidence = 0;               ///< the agreement, 0 if unknown
+  std::string name;  ///< empty if unknown
+  /// From 0 to 1; of an unknown one: that it is none of those known.
+  double confidence = 0;
   std::vector<std::string> arguments;  ///< in the action's order
-  std::string part;                    ///< what was moved
-  std::vector<std::string> hands;      ///< that held it, sorted
+  /// One of them stands in for what the action was shown with.
+  bool has_stand_in = false;
+  std::string part;                ///< what was moved
+  std::vector<std::string> hands;  ///< that held it, sorted
   int64_t pick_utime = 0;
   int64_t pick_key_frame = 0;
   int64_t place_utime = 0;
@@ -39,6 +43,10 @@ class Recognition {
   struct Params {
     double moved = 0.010;   ///< [m] further: the part was moved
     double turned = 0.175;  ///< [rad] more: it was moved; up to its symmetry
+
+    /// Of recognizer.yaml, the keys that are about recognition.
+    /// @throws ConfigError naming file:key.
+    static Params Load(const Config& config);
   };
 
   Recognition(const SceneObjects& scene_objects, const PartTable& parts,

@@ -2,22 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/library_request_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/actions/sec_models.h"
+#include "common/geometry/degree.h"
 #include "common/scene/key_frame.h"
 #include "common/task/task.h"
 
 namespace cell::recognizer {
 namespace {
 
-action_t ToMessage(const RecognisedAction& action, int64_t index) {
-  action_t message{};
+recognised_action_t ToMessage(const RecognisedAction& action, int64_t index) {
+  recognised_action_t message{};
   message.header.utime = action.place_utime;
   message.index = index;
   message.kind = static_cast<int8_t>(action.direction);
@@ -27,6 +27,7 @@ action_t ToMessage(const RecognisedAction& action, int64_t index) {
   message.part = action.part;
   message.hands = action.hands;
   message.num_hands = static_cast<int32_t>(action.hands.size());
+  message.confidence = action.confidence;
   message.pick_utime = action.pick_utime;
   message.pick_key_frame = action.pick_key_frame;
   message.place_key_frame = action.place_key_frame;
@@ -72,6 +73,8 @@ bool Recognizer::OnEpisode(const episode_t& message) {
     demonstration_ = fmt::format("{} {}", message.demonstration, message.seed);
   }
   if (event == EpisodeEvent::kBegins) Begin();
+  if (event == EpisodeEvent::kEnds && learning_)
+    learning_->OnDemonstrationEnd();
   if (event == EpisodeEvent::kJoins) {
     library_request_t all{};
     all.header.utime = bus_.now();
@@ -121,10 +124,11 @@ void Recognizer::OnStored(const stored_t& message) {
   bus_.Publish("ALERT", alert);
 }
 
-/// What undoes one action and does another shows neither by itself.
+/// What undoes one action and does another shows neither by itself. Neither
+/// does a stand-in: the action would be learned to take anything like it.
 void Recognizer::Learn(const ObservedManipulation& manipulation,
                        const std::vector<RecognisedAction>& actions) {
-  if (actions.size() > 1) {
+  if (actions.size() > 1 || actions.front().has_stand_in) {
     learning_->OnMixture();
   } else {
     learning_->OnManipulation(manipulation, demonstration_);
@@ -139,22 +143,28 @@ void Recognizer::RequestChanges() {
   }
 }
 
-std::unique_ptr<Service> MakeRecognizer(Bus& bus,
-                                        const Deployment& deployment) {
+Recognizer::Params Recognizer::Params::Load(const Deployment& deployment) {
   const Task task = LoadTask(deployment);
-  Recognizer::Params params{task.scene_objects,
-                            {task.domain, task.parts, task.actions},
-                            MakeSecLibrary,
-                            task.MakeSensor(),
-                            {},
-                            false};
+  Params params{task.scene_objects,
+                {task.domain, task.parts, task.actions},
+                cell::MakeSecLibrary,
+                nullptr,
+                {},
+                false};
   const Config config = deployment.ForService("recognizer");
-  params.recognition.moved = config.Number("moved_mm", 0, 1000) * 1e-3;
-  params.recognition.turned =
-      config.Number("turned_deg", 0, 180) * std::numbers::pi / 180;
+  params.recognition = Recognition::Params::Load(config);
+  params.sensor = task.MakeSensor(PoseUncertainty::OfKeyFrames(
+      config.Number("pose_noise_mm", 0, 100) * 1e-3,
+      config.Number("pose_noise_deg", 0, 90) * kDegree));
   params.is_learning = config.Get<bool>("learning");
   config.Finish();
-  return std::make_unique<Recognizer>(bus, params);
+  return params;
+}
+
+std::unique_ptr<Service> MakeRecognizer(Bus& bus,
+                                        const Deployment& deployment) {
+  return std::make_unique<Recognizer>(bus,
+                                      Recognizer::Params::Load(deployment));
 }
 
 }  // namespace cell::recognizer

@@ -40,6 +40,9 @@ class Recognizer final : public Service {
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
     bool is_learning = false;
+
+    /// Of recognizer.yaml and the task. @throws ConfigError naming file:key.
+    static Params Load(const Deployment& deployment);
   };
 
   /// `bus` must outlive this object.

@@ -24,6 +24,7 @@ KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
       config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
   params.smoother.position_sd = config.Number("pose_noise_mm", 0, 100) * 1e-3;
   params.smoother.lag_frames = config.Integer("lag_frames", 1, 100);
+  params.emulation = KeyFrameEmulation::Params::FromConfig(config["emulation"]);
   config.Finish();
   for (const ArmLayout& arm : task.layout.arms) {
     const std::string suffix = ChannelSuffix(arm.name);
@@ -39,17 +40,20 @@ KeyFrameBuilder::KeyFrameBuilder(const Params& params)
     : params_(params),
       smoother_(params.smoother),
       sensor_(params.scene_objects, params.parts, params.proximity),
-      extractor_(params.scene_objects, params.extractor) {}
+      extractor_(params.scene_objects, params.extractor),
+      emulation_(params.scene_objects, params.emulation) {}
 
 std::vector<KeyFrame> KeyFrameBuilder::Update(const Tracks& tracks) {
   const auto smooth = smoother_.Update(tracks);
   if (!smooth) return {};
-  return extractor_.Update(*smooth, sensor_.Measure(*smooth));
+  return emulation_.Update(
+      tracks.utime, extractor_.Update(*smooth, sensor_.Measure(*smooth)));
 }
 
-void KeyFrameBuilder::Reset() {
+void KeyFrameBuilder::Reset(uint64_t episode_seed) {
   smoother_ = PoseSmoother(params_.smoother);
   extractor_ = KeyFrameExtractor(params_.scene_objects, params_.extractor);
+  emulation_.Reset(episode_seed);
 }
 
 }  // namespace cell::sec_builder

@@ -8,6 +8,7 @@
 #include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
 #include "common/task/task.h"
+#include "services/sec_builder/key_frame_emulation.h"
 #include "services/sec_builder/key_frame_extractor.h"
 #include "services/sec_builder/pose_smoother.h"
 #include "services/sec_builder/proximity.h"
@@ -24,6 +25,7 @@ class KeyFrameBuilder {
     ProximitySensor::Params proximity;
     KeyFrameExtractor::Params extractor;
     PoseSmoother::Params smoother;
+    KeyFrameEmulation::Params emulation = {};
 
     /// Of sec_builder.yaml. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment, const Task& task);
@@ -35,14 +37,16 @@ class KeyFrameBuilder {
   /// @pre the tracks are later than the last ones.
   std::vector<KeyFrame> Update(const Tracks& tracks);
 
-  /// Forgets all tracks: another episode begins.
-  void Reset();
+  /// Forgets all tracks: another episode begins. Its seed matters only to
+  /// emulated errors.
+  void Reset(uint64_t episode_seed);
 
  private:
   Params params_;
   PoseSmoother smoother_;
   ProximitySensor sensor_;
   KeyFrameExtractor extractor_;
+  KeyFrameEmulation emulation_;
 };
 
 }  // namespace cell::sec_builder

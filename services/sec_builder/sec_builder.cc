@@ -16,7 +16,7 @@ SecBuilder::SecBuilder(Bus& bus, const KeyFrameBuilder::Params& params)
 bool SecBuilder::OnEpisode(const episode_t& message) {
   const auto event = episode_.Update(message);
   if (event == EpisodeEvent::kBegins) {
-    builder_.Reset();
+    builder_.Reset(static_cast<uint64_t>(message.seed));
     last_utime_.reset();
     first_index_ = 0;
   }

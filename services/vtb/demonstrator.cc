@@ -84,9 +84,11 @@ Demonstrator::Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
   }
   for (const std::string& name : script_->place) {
     const PlacementRule& rule = demonstrations_->rules.at(name);
+    auto num_left =
+        std::ranges::count(world.table().parts(), rule.part_type, &Part::type);
     for (const Part& host : world.table().parts()) {
       for (const Site& site : host.sites) {
-        if (site.type == rule.site_type) {
+        if (site.type == rule.site_type && num_left-- > 0) {
           placements_.push_back({&rule, site.name, {}, ""});
         }
       }

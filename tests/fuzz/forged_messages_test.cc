@@ -20,6 +20,7 @@
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
+#include "cell/command_library_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
@@ -180,6 +181,12 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     name.name = "Insert";
     name.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_NAME"] = {Bus::Encode(name)};
+    command_library_t edit{};
+    edit.kind = command_library_t::MERGE;
+    edit.name = "PlaceRoundPeg";
+    edit.other = "PlaceSquarePeg";
+    edit.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_LIBRARY"] = {Bus::Encode(edit)};
     samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
     AddOfArms(samples);
     AskLibrary(samples);
@@ -386,12 +393,13 @@ INSTANTIATE_TEST_SUITE_P(
                     "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
                     "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
                     "ANSWER", "STATUS", "COMMAND_GOAL", "COMMAND_MODE",
-                    "COMMAND_NAME", "MOTION_PERMIT", "MOTION_PLAN",
-                    "MOTION_REQUEST", "MODE", "SENSE_REQUEST", "SKILL_REQUEST",
-                    "SKILL_RESULT", "EXECUTION", "ARM_REPORT_LEFT",
-                    "ARM_REPORT_RIGHT", "ARM_STATE_LEFT", "ARM_STATE_RIGHT",
-                    "WRENCH_RIGHT", "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
-                    "FRAME_1", "LIBRARY_REQUEST", "STORE_REQUEST"),
+                    "COMMAND_LIBRARY", "COMMAND_NAME", "MOTION_PERMIT",
+                    "MOTION_PLAN", "MOTION_REQUEST", "MODE", "SENSE_REQUEST",
+                    "SKILL_REQUEST", "SKILL_RESULT", "EXECUTION",
+                    "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT", "ARM_STATE_LEFT",
+                    "ARM_STATE_RIGHT", "WRENCH_RIGHT", "ARM_SETPOINT_LEFT",
+                    "ARM_SETPOINT_RIGHT", "FRAME_1", "LIBRARY_REQUEST",
+                    "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

@@ -10,6 +10,7 @@
 #include "cell/answer_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_goal_t.hpp"
+#include "cell/command_library_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "common/bus/manifest.h"
@@ -75,6 +76,15 @@ class OperatedCell {
     command.deadline_utime = 1000 * kTickUs;
     Send(tick, "COMMAND_EPISODE", Bus::Encode(command));
   }
+  void Edit(int32_t tick, int8_t kind, const std::string& name,
+            const std::string& other = "") {
+    command_library_t command{};
+    command.kind = kind;
+    command.name = name;
+    command.other = other;
+    command.deadline_utime = 1000 * kTickUs;
+    Send(tick, "COMMAND_LIBRARY", Bus::Encode(command));
+  }
   void Run() { cell_.Run(500); }
 
   /// The only answer to the command of that tick.
@@ -117,6 +127,26 @@ TEST(OperatorAnswers, ModesAreTakenUnlessTheyAreLateOrUnknown) {
   cell.ExpectRefused("COMMAND_MODE", 60, "7");
   cell.ExpectAccepted("COMMAND_MODE", 70, "nothing holds");
   cell.ExpectRefused("COMMAND_MODE", 80, "past its deadline");
+}
+
+TEST(OperatorAnswers, TheLibraryIsChangedWhileTheCellRuns) {
+  OperatedCell cell;
+  cell.Edit(30, command_library_t::RENAME, "PlaceRoundPeg", "Plug");
+  cell.Edit(40, command_library_t::REMOVE, "Plug");
+  cell.Edit(50, command_library_t::MERGE, "Plug", "ScrewHead");
+  cell.Edit(60, command_library_t::TAKE_BACK, "assembly 2");
+  cell.Edit(70, command_library_t::ROLL_BACK, "");
+  cell.Edit(80, command_library_t::ROLL_BACK, "");
+  cell.Edit(90, 9, "");
+  cell.Run();
+  cell.ExpectAccepted("COMMAND_LIBRARY", 30,
+                      "Plug, RemoveRoundPeg, PlaceRoundPeg (removed)");
+  cell.ExpectRefused("COMMAND_LIBRARY", 40, "'RemoveRoundPeg' undoes it");
+  cell.ExpectRefused("COMMAND_LIBRARY", 50, "does not change what ScrewHead");
+  cell.ExpectAccepted("COMMAND_LIBRARY", 60, "Plug");
+  cell.ExpectAccepted("COMMAND_LIBRARY", 70, "PlaceRoundPeg");
+  cell.ExpectRefused("COMMAND_LIBRARY", 80, "already holds that");
+  cell.ExpectRefused("COMMAND_LIBRARY", 90, "no kind 9");
 }
 
 TEST(OperatorAnswers, AGoalIsTakenByTheEpisodeThatRuns) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/truth_action_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/sim_bus.h"
@@ -54,8 +54,9 @@ class WatchedCell {
         placements_.push_back({action->part, message.tick});
       }
     } else if (message.channel == "ACTION") {
-      const auto action = Decode<action_t>(message);
-      if (action->kind == action_t::FORWARD) reported_ += action->part + "\n";
+      const auto action = Decode<recognised_action_t>(message);
+      if (action->kind == recognised_action_t::FORWARD)
+        reported_ += action->part + "\n";
     } else if (message.channel == "ALERT") {
       const auto alert = Decode<alert_t>(message);
       if (alert->cause != alert_t::UNSEEN) return;

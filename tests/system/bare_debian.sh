@@ -40,7 +40,7 @@ while IFS= read -r line; do
   began=$SECONDS
   code=0
   bash -c "$line" </dev/null >/root/answer 2>&1 || code=$?
-  tr '\r' '\n' </root/answer | cut -c1-160 | awk -v most=60 '
+  tr '\r' '\n' </root/answer | grep -v '^Get:' | cut -c1-160 | awk -v most=60 '
     { line[NR] = $0 }
     END {
       for (i = 1; i <= NR; ++i) {

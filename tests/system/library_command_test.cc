@@ -35,7 +35,9 @@ class LibraryCommand : public RunCell {
 };
 
 TEST_F(LibraryCommand, EachPartShowsAnExample) {
-  for (const char* part : {"", " list", " show", " export", " import"}) {
+  for (const char* part :
+       {"", " list", " show", " export", " import", " changes", " rename",
+        " remove", " merge", " take-back", " rollback"}) {
     const ShellResult help = Cell("library" + std::string(part) + " --help");
     EXPECT_EQ(help.code, 0) << part;
     EXPECT_THAT(help.output, HasSubstr("Example: cell library")) << part;
@@ -118,6 +120,44 @@ TEST_F(LibraryCommand, AReadOnlyRunFolderIsReadAndStaysAsItIs) {
   EXPECT_EQ(run.output, list);
   EXPECT_THAT(TextOf(dir_ / "why"),
               HasSubstr("a/library.db: cannot be opened for writing"));
+}
+
+TEST_F(LibraryCommand, WhatARunHasLearnedOutlivesItAndCanBeChanged) {
+  const std::string kRun =
+      "sim --from-nothing --library my.db --demonstration two_pegs ";
+  ASSERT_EQ(Cell(kRun + "--seed 3 --out first").code, 0);
+  EXPECT_THAT(TextOf(dir_ / "first/run.yaml"), HasSubstr("my.db\", change: 0"));
+  EXPECT_THAT(Cell("library list --verbose --database my.db").output,
+              HasSubstr("by change 2: run first (build"));
+  const ShellResult rename =
+      Cell("library rename Action1 PlugIn --database my.db");
+  EXPECT_EQ(rename.code, 0) << rename.output;
+  const ShellResult second = Cell(kRun + "--seed 4 --out second");
+  EXPECT_THAT(second.output, HasSubstr("recognised PlugIn(round_peg_2"));
+  EXPECT_THAT(TextOf(dir_ / "second/run.yaml"), HasSubstr("change: 3"));
+  EXPECT_THAT(Cell("library list --verbose --database my.db").output,
+              HasSubstr("shown 2 times by two_pegs 4 (build"));
+  EXPECT_EQ(Cell("library take-back 'two_pegs 3' --database my.db").code, 0);
+  const ShellResult again =
+      Cell("library take-back 'two_pegs 3' --database my.db");
+  EXPECT_EQ(again.code, 1);
+  EXPECT_THAT(again.output, HasSubstr("has taught nothing that is kept; "
+                                      "nothing was changed"));
+  EXPECT_EQ(Cell("library rollback 2 --database my.db").code, 0);
+  EXPECT_THAT(Cell("library list --database my.db").output,
+              testing::Not(HasSubstr("PlugIn")));
+  EXPECT_THAT(Cell("library rollback 99 --database my.db").output,
+              HasSubstr("change 99 is not kept; 1 to 6 are"));
+  EXPECT_THAT(Cell("library changes --database my.db").output,
+              HasSubstr("cell library take-back two_pegs 3"));
+}
+
+TEST_F(LibraryCommand, APartThatWasNeverShownIsRecognisedAndCounted) {
+  const ShellResult run =
+      Cell("eval substitution --runs 2 --seed 3 --rows rows");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("counted by the plan"));
+  EXPECT_THAT(run.output, HasSubstr("2/2"));
 }
 
 TEST_F(LibraryCommand, AFullDiskLosesNothing) {

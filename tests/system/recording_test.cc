@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,6 +92,29 @@ TEST_F(RecordingOfARun, GivesTheKeyFramesOfItsLog) {
   EXPECT_EQ(Cell("sec record run --out a.recording").code, 0);
   EXPECT_EQ(Cell("sec record run --out b.recording --episode 2").code, 0);
   EXPECT_EQ(Cell("sec record run --out b.recording").code, 1);
+}
+
+using RecordingsMadeTwice = RunCell;
+
+/// Of one machine: physics is not compared across machines.
+TEST_F(RecordingsMadeTwice, AreTheSameAndTeachTheSame) {
+  for (const std::string turn : {"a", "b"}) {
+    const ShellResult run =
+        Cell("learn sec --simulate --seed 11 --recordings " + turn + " --out " +
+             turn + ".yaml");
+    ASSERT_EQ(run.code, 0) << run.output;
+  }
+  int num_recordings = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(dir_ / "a")) {
+    const std::string text = TextOf(entry.path());
+    EXPECT_EQ(text, TextOf(dir_ / "b" / entry.path().filename()))
+        << entry.path();
+    EXPECT_GT(text.size(), 1000u) << entry.path();
+    ++num_recordings;
+  }
+  EXPECT_EQ(num_recordings, 5);
+  EXPECT_EQ(TextOf(dir_ / "a.yaml"), TextOf(dir_ / "b.yaml"));
+  EXPECT_THAT(TextOf(dir_ / "a.yaml"), HasSubstr("assembly 11"));
 }
 
 }  // namespace

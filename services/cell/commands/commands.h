@@ -43,6 +43,7 @@ void AddRecord(CLI::App& app, Action* action);
 void AddLog(CLI::App& app, Action* action);
 void AddSpy(CLI::App& app, Action* action);
 void AddDoctor(CLI::App& app, Action* action);
+void AddExplain(CLI::App& app, Action* action);
 void AddSec(CLI::App& app, Action* action);
 void AddTypes(CLI::App& app, Action* action);
 void AddLearn(CLI::App& app, Action* action);
@@ -51,9 +52,11 @@ void AddName(CLI::App& app, Action* action);
 void AddRules(CLI::App& app, Action* action);
 void AddList(CLI::App& app, Action* action);
 void AddPlan(CLI::App& app, Action* action);
+void AddMonitor(CLI::App& app, Action* action);
 
 // The evaluations that need no cell: subcommands of eval.
 void AddEvalRules(CLI::App& eval, Action* action);
 void AddEvalRexd(CLI::App& eval, Action* action);
+void AddEvalMistakes(CLI::App& eval, Action* action);
 
 }  // namespace cell::cli

@@ -11,6 +11,7 @@
 #include "common/node/number_option.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/eval_sec.h"
+#include "services/cell/commands/eval_shown.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/row_store.h"
@@ -225,8 +226,10 @@ void AddEval(CLI::App& app, Action* action) {
     });
   }
   AddEvalSec(*eval, action);
+  AddEvalShown(*eval, action);
   AddEvalRules(*eval, action);
   AddEvalRexd(*eval, action);
+  AddEvalMistakes(*eval, action);
 }
 
 }  // namespace cell::cli

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -11,7 +11,9 @@
 #include "common/rexd/rexd_run.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/rules_files.h"
+#include "services/cell/evaluations/gnuplot.h"
 #include "services/cell/evaluations/missing_runs.h"
+#include "services/cell/evaluations/rexd_figures.h"
 #include "services/cell/evaluations/row_store.h"
 
 namespace cell::cli {
@@ -20,14 +22,13 @@ namespace {
 using nlohmann::json;
 
 constexpr char kAnotherTable[] = "choose another --csv or remove it";
-constexpr const char* kCounts[] = {"actions", "demonstrations", "explorations"};
 
 struct EvalRexdOptions {
   std::string deploy_dir;
   std::string task_file;
   std::vector<double> successes = {1, 0.8, 0.6, 0.4};
   std::string teacher = "sure";
-  bool is_guided = true;
+  std::vector<std::string> without;
   bool explores_no_ops = true;
   int runs = 100;
   int episodes = 4;
@@ -44,6 +45,10 @@ struct RexdTrial {
   std::string Key() const { return fmt::format("{}/{}", success, seed); }
 };
 
+bool IsWithout(const EvalRexdOptions& options, const char* part) {
+  return std::ranges::find(options.without, part) != options.without.end();
+}
+
 rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options) {
   const std::filesystem::path path =
       options.task_file.empty()
@@ -51,7 +56,10 @@ rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options) {
                 FindCellFiles(options.deploy_dir).deployment.task_dir) /
                 "learning/placements.rules"
           : std::filesystem::path(options.task_file);
-  return rexd::ParseRexdTask(TextOfFile(path), path.string());
+  rexd::RexdTask task = rexd::ParseRexdTask(TextOfFile(path), path.string());
+  if (IsWithout(options, "fits")) task = rexd::WithoutPredicate(task, "fits");
+  if (IsWithout(options, "types")) task = rexd::WithoutTypes(task);
+  return task;
 }
 
 json RunTrial(const rexd::RexdTask& task, const EvalRexdOptions& options,
@@ -61,140 +69,109 @@ json RunTrial(const rexd::RexdTask& task, const EvalRexdOptions& options,
   params.seed = trial.seed;
   params.num_episodes = options.episodes;
   params.teacher.is_sure = options.teacher == "sure";
-  params.teacher.heeds_guidance = options.is_guided;
+  params.teacher.heeds_guidance = !IsWithout(options, "guidance");
+  params.learner.uses_subgoals = !IsWithout(options, "subgoals");
+  if (IsWithout(options, "alternatives")) params.learner.max_alternatives = 0;
   params.learner.explores_no_ops = options.explores_no_ops;
   json row = {{"success", trial.success}, {"seed", trial.seed}};
-  for (const rexd::EpisodeCounts& counts : rexd::RunRexd(task, params)) {
+  rexd::FrozenScore frozen;
+  for (const rexd::EpisodeCounts& counts :
+       rexd::RunRexd(task, params, &frozen)) {
     row["actions"].push_back(counts.num_actions);
     row["demonstrations"].push_back(counts.num_demonstrations);
     row["explorations"].push_back(counts.num_explorations);
     row["reached"].push_back(counts.is_goal_reached ? 1 : 0);
+    row["dead_ends"].push_back(counts.is_dead_end ? 1 : 0);
+  }
+  row["states"] = frozen.num_states;
+  row["valid"] = frozen.num_valid;
+  row["probabilities"] = json::object();
+  for (const auto& [action, expectation] : frozen.expectations) {
+    row["probabilities"][task.world->symbols()[action].name] = {
+        expectation.probability, expectation.num_experiences};
   }
   return row;
 }
 
-struct MeanAndSd {
-  double mean = 0;
-  double sd = 0;
-};
-
-MeanAndSd Summarise(const std::vector<double>& values) {
-  MeanAndSd summary;
-  const double n = static_cast<double>(values.size());
-  for (const double value : values) summary.mean += value / n;
-  for (const double value : values) {
-    summary.sd += (value - summary.mean) * (value - summary.mean);
-  }
-  summary.sd = n > 1 ? std::sqrt(summary.sd / (n - 1)) : 0;
-  return summary;
+void WriteFigure(const EvalRexdOptions& options,
+                 const std::vector<RexdGroup>& groups) {
+  const std::string png = options.csv_file + ".png";
+  WriteNewFile(options.csv_file, RexdCsv(groups, options.episodes),
+               kAnotherTable);
+  const std::string problem =
+      RunGnuplot(RexdPlot(groups, options.episodes, options.csv_file, png));
+  std::cout << fmt::format("written: {}\n{}\n", options.csv_file,
+                           problem.empty() ? "written: " + png : problem);
 }
 
-/// A count of each row, summed over its episodes from `first` to `last`.
-std::vector<double> ValuesOf(const std::vector<json>& rows, const char* count,
-                             int first, int last) {
-  std::vector<double> values;
-  for (const json& row : rows) {
-    double sum = 0;
-    for (int i = first; i <= last; ++i) {
-      sum += row.at(count).at(static_cast<size_t>(i)).get<double>();
-    }
-    values.push_back(sum);
+/// Prints the figures of all success rates and what they say of the paper.
+void Report(const EvalRexdOptions& options, const rexd::RexdTask& task,
+            const std::vector<RexdGroup>& groups) {
+  rexd::PlanningTeacher teacher(task, 1, {}, 0);
+  const double floor = teacher.DistanceFrom(task.initial).value_or(0);
+  for (const RexdGroup& group : groups) {
+    std::cout << fmt::format("success {}, {} runs, teacher {}\n{}",
+                             group.success, group.rows.size(), options.teacher,
+                             RexdText(group, options.episodes, floor));
   }
-  return values;
+  for (const RexdStatement& statement :
+       CheckRexdStatements(groups, options.episodes, floor)) {
+    std::cout << fmt::format("{:5} {}: {}\n",
+                             statement.is_true ? "true" : "false",
+                             statement.text, statement.found);
+  }
 }
 
-/// Prints the figures of one success rate; returns its lines of the table.
-std::string Report(const EvalRexdOptions& options, double success,
-                   const std::vector<json>& rows) {
-  std::string csv;
-  std::cout << fmt::format("success {}, {} runs, teacher {}\n", success,
-                           rows.size(), options.teacher);
-  for (int i = 0; i <= options.episodes; ++i) {
-    const bool is_total = i == options.episodes;
-    const int first = is_total ? 0 : i;
-    const int last = is_total ? options.episodes - 1 : i;
-    const std::string name = is_total ? "all" : std::to_string(i + 1);
-    std::string line = fmt::format("  episode {:>3}:", name);
-    csv += fmt::format("{},{}", success, name);
-    for (const char* count : kCounts) {
-      const MeanAndSd s = Summarise(ValuesOf(rows, count, first, last));
-      line += fmt::format("  {} {:.1f} (sd {:.1f})", count, s.mean, s.sd);
-      csv += fmt::format(",{},{}", s.mean, s.sd);
-    }
-    const MeanAndSd reached = Summarise(ValuesOf(rows, "reached", first, last));
-    const double share = reached.mean / (is_total ? options.episodes : 1);
-    std::cout << fmt::format("{}  goal reached {:.1f} %\n", line, 100 * share);
-    csv += fmt::format(",{}\n", share);
-  }
-  return csv;
-}
-
-/// Commands of gnuplot that draw the table as Fig. 17.
-std::string PlotOf(const EvalRexdOptions& options) {
-  std::string text = fmt::format(
-      "# gnuplot {0}.gp makes {0}.png\n"
-      "set terminal pngcairo size 900,1100\nset output '{0}.png'\n"
-      "set datafile sep ','\nset multiplot layout 3,1\n"
-      "set xrange [0.5:{1}.5]\nset xtics 1\nset key outside\n"
-      "set xlabel 'episode'\n",
-      options.csv_file, options.episodes);
-  int column = 3;
-  for (const char* count : kCounts) {
-    text += fmt::format("set ylabel '{}'\nplot ", count);
-    for (size_t i = 0; i < options.successes.size(); ++i) {
-      const double success = options.successes[i];
-      text += fmt::format(
-          "{}'{}' using (abs($1-{})<1e-9 && $2>0 ? $2+{:.2f} : NaN):{}:{} "
-          "with yerrorbars title 'success {}'",
-          i > 0 ? ", " : "", options.csv_file, success,
-          0.06 * static_cast<double>(i), column, column + 1, success);
-    }
-    text += "\n";
-    column += 2;
-  }
-  return text + "unset multiplot\n";
-}
-
-int EvalRexd(const EvalRexdOptions& options) {
-  if (!options.csv_file.empty()) {
-    RequireFree(options.csv_file, kAnotherTable);
-    RequireFree(options.csv_file + ".gp", kAnotherTable);
-  }
-  const rexd::RexdTask task = LoadRexdTask(options);
+std::vector<RexdTrial> TrialsOf(const EvalRexdOptions& options) {
   std::vector<RexdTrial> trials;
   for (const double success : options.successes) {
     for (int i = 0; i < options.runs; ++i) {
       trials.push_back({success, options.seed + static_cast<uint64_t>(i)});
     }
   }
-  RowStore store(options.rows_file.empty()
-                     ? fmt::format("runs/eval-rexd-{}-seed{}.jsonl",
-                                   options.teacher, options.seed)
-                     : options.rows_file,
-                 options.is_resumed);
+  return trials;
+}
+
+/// Names the task and everything that changes a run.
+std::string DefaultRows(const EvalRexdOptions& options) {
+  std::string name = "runs/eval-rexd-" + options.teacher;
+  if (!options.task_file.empty()) {
+    name += "-" + std::filesystem::path(options.task_file).stem().string();
+  }
+  for (const std::string& part : options.without) name += "-without-" + part;
+  if (!options.explores_no_ops) name += "-skip-no-ops";
+  return fmt::format("{}-seed{}.jsonl", name, options.seed);
+}
+
+int EvalRexd(const EvalRexdOptions& options) {
+  if (!options.csv_file.empty()) {
+    RequireFree(options.csv_file, kAnotherTable);
+    RequireFree(options.csv_file + ".png", kAnotherTable);
+  }
+  const rexd::RexdTask task = LoadRexdTask(options);
+  const std::vector<RexdTrial> trials = TrialsOf(options);
+  RowStore store(
+      options.rows_file.empty() ? DefaultRows(options) : options.rows_file,
+      options.is_resumed);
   std::vector<std::string> keys;
   for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
   DoMissingRuns(
       keys, options.jobs,
       [&](size_t i) { return RunTrial(task, options, trials[i]); }, &store);
-  std::string csv = "success,episode";
-  for (const char* count : kCounts) csv += fmt::format(",{0},{0}_sd", count);
-  csv += ",goal_reached\n";
   size_t num_rows = 0;
+  std::vector<RexdGroup> groups;
   for (const double success : options.successes) {
-    std::vector<json> rows;
+    RexdGroup group{success, {}};
     for (const RexdTrial& trial : trials) {
       if (trial.success == success && store.Has(trial.Key())) {
-        rows.push_back(store.At(trial.Key()));
+        group.rows.push_back(store.At(trial.Key()));
       }
     }
-    num_rows += rows.size();
-    if (!rows.empty()) csv += Report(options, success, rows);
+    num_rows += group.rows.size();
+    if (!group.rows.empty()) groups.push_back(std::move(group));
   }
-  if (!options.csv_file.empty()) {
-    WriteNewFile(options.csv_file, csv, kAnotherTable);
-    WriteNewFile(options.csv_file + ".gp", PlotOf(options), kAnotherTable);
-  }
+  Report(options, task, groups);
+  if (!options.csv_file.empty()) WriteFigure(options, groups);
   std::cout << fmt::format("rows in {} ({} of {} runs)\n",
                            store.path().string(), num_rows, trials.size());
   return num_rows == trials.size() ? 0 : 1;
@@ -208,9 +185,10 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
       "rexd",
       "Learn a task from nothing by REX-D, in simulated worlds of several "
       "success rates: actions, demonstrations and explorations in each episode "
-      "(Fig. 17). Demonstrations and explorations count as actions.\n"
-      "Example: cell eval rexd --runs 100 --csv rexd.csv && gnuplot "
-      "rexd.csv.gp");
+      "(Fig. 17), how good the learned rules are, and whether what the paper "
+      "says of the figure is true. Demonstrations and explorations count as "
+      "actions.\n"
+      "Example: cell eval rexd --runs 300 --csv rexd.csv");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--task-file", options->task_file,
@@ -227,8 +205,14 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
                    "sure: never fails; noisy: fails like the robot")
       ->check(CLI::IsMember({"sure", "noisy"}))
       ->capture_default_str();
-  command->add_flag("!--no-guidance", options->is_guided,
-                    "the teacher shows any useful action");
+  command
+      ->add_option("--without", options->without,
+                   "leave out: guidance (the teacher shows any useful action), "
+                   "subgoals, alternatives (of rules), types (any objects for "
+                   "an action), fits (the predicate)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(
+          {"guidance", "subgoals", "alternatives", "types", "fits"}));
   command->add_flag("!--skip-no-ops", options->explores_no_ops,
                     "do not explore actions that are expected to do nothing");
   command->add_option("--runs", options->runs, "runs for each success rate")
@@ -246,7 +230,7 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
   command->add_option("--rows", options->rows_file,
                       "write one row per run here (default: runs/eval-...)");
   command->add_option("--csv", options->csv_file,
-                      "write the table here, and FILE.gp that plots it");
+                      "write the table here, and FILE.png that plots it");
   command->add_flag("--resume", options->is_resumed,
                     "keep the rows of an earlier call and run what is missing");
   command->callback([=] {

@@ -12,6 +12,7 @@
 #include "common/files/draft.h"
 #include "common/node/number_option.h"
 #include "services/cell/evaluations/gnuplot.h"
+#include "services/cell/evaluations/goal_table.h"
 #include "services/cell/evaluations/sec_classes.h"
 #include "services/cell/evaluations/sec_figures.h"
 #include "services/cell/evaluations/sec_groups.h"
@@ -56,16 +57,8 @@ void DrawPlot(const std::string& program, const fs::path& png) {
 }
 
 bool PrintGoals(const std::vector<Measure>& measures) {
-  bool is_met = true;
-  for (const Measure& m : measures) {
-    std::cout << fmt::format(
-        "{:48} {:>10} {:6.1f} %  {:5.1f} - {:5.1f} %  goal {:3.0f} %: {}\n",
-        m.name, fmt::format("{}/{}", m.num_good, m.num_all), 100 * m.value(),
-        100 * m.interval().low, 100 * m.interval().high, 100 * m.goal,
-        m.verdict());
-    is_met &= m.is_met();
-  }
-  return is_met;
+  std::cout << GoalTable(measures);
+  return AreMet(measures);
 }
 
 int PrintStatements(const std::string& figure, const std::string& measure,

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -27,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kRecordingExtension[] = ".recording";
 constexpr char kOtherModels[] = "choose another --out or remove it";
 constexpr char kOtherRecordings[] = "choose another --recordings or remove it";
 constexpr int kDecimals = 5;  // [m] a hundredth of a millimetre
@@ -64,23 +62,6 @@ void Simulate(const LearnOptions& options, const Deployment& deployment,
   }
 }
 
-std::vector<fs::path> RecordingsIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == kRecordingExtension) {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  if (files.empty()) {
-    throw std::runtime_error(folder.string() + ": has no file *" +
-                             kRecordingExtension + "; --simulate makes them");
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 int LearnSec(const LearnOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   const fs::path folder = options.recordings.empty()
@@ -88,8 +69,13 @@ int LearnSec(const LearnOptions& options) {
                               : fs::path(options.recordings);
   if (!options.out.empty()) RequireFree(options.out, kOtherModels);
   if (options.is_simulated) Simulate(options, deployment, folder);
+  const std::vector<fs::path> files = RecordingsIn(folder);
+  if (files.empty()) {
+    throw std::runtime_error(folder.string() + ": has no file *" +
+                             kRecordingExtension + "; --simulate makes them");
+  }
   SecLessons lessons(deployment);
-  for (const fs::path& file : RecordingsIn(folder)) {
+  for (const fs::path& file : files) {
     lessons.Attend(LoadRecording(file));
   }
   for (const SecLearner::Action& action : lessons.Actions()) {

@@ -13,6 +13,7 @@
 #include "common/node/number_option.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/library_commands.h"
 #include "services/library/content_file.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/open_store.h"
@@ -29,11 +30,12 @@ struct LibraryOptions {
   std::string deploy_dir;
   std::string file;
   int64_t id = 0;
+  bool is_verbose = false;
+  bool shows_all = false;
 };
 
 std::filesystem::path DatabaseOf(const LibraryOptions& options) {
-  const std::filesystem::path path = options.database;
-  return std::filesystem::is_directory(path) ? path / kDatabaseName : path;
+  return LibraryFile(options.database);
 }
 
 SqliteActionStore OpenExisting(const LibraryOptions& options) {
@@ -50,23 +52,53 @@ std::string Signature(const ActionRecord& record) {
       fmt::format("{}({})", record.name, fmt::join(arguments, ", ")));
 }
 
+/// Where a record comes from: which change stored it, and what demonstrations
+/// taught it.
+void PrintProvenance(const ActionRecord& record, const ActionStore& store) {
+  const auto change = store.ChangeOf(record.id);
+  std::cout << fmt::format(
+      "        version {}, {}\n", record.version,
+      change
+          ? Printable(fmt::format("stored by change {}: {} (build {})",
+                                  change->number, change->what, change->build))
+          : "stored by a change that is not kept");
+  for (const std::string& line : DemonstrationsOf(record)) {
+    std::cout << "        " << Printable(line) << "\n";
+  }
+}
+
 int List(const LibraryOptions& options) {
-  for (const ActionRecord& record : OpenExisting(options).All()) {
+  const SqliteActionStore store = OpenExisting(options);
+  for (const ActionRecord& record : store.All()) {
+    if (record.is_removed() && !options.shows_all) continue;
     std::cout << fmt::format(
         "{:4}  {:56}  {}\n", record.id, Signature(record),
-        Printable(fmt::format("{}", fmt::join(record.agents, ", "))));
+        record.is_removed()
+            ? "removed"
+            : Printable(fmt::format("{}", fmt::join(record.agents, ", "))));
+    if (options.is_verbose) PrintProvenance(record, store);
+  }
+  return 0;
+}
+
+int Changes(const LibraryOptions& options) {
+  for (const StoreChange& change : OpenExisting(options).Changes()) {
+    std::cout << fmt::format("{:4}  {:56}  build {}\n", change.number,
+                             Printable(change.what), Printable(change.build));
   }
   return 0;
 }
 
 int Show(const LibraryOptions& options) {
-  const auto record = OpenExisting(options).Find(options.id);
+  const SqliteActionStore store = OpenExisting(options);
+  const auto record = store.Find(options.id);
   if (!record) {
     throw std::runtime_error(
         fmt::format("{}: no action has the id {}; cell library list shows all",
                     DatabaseOf(options).string(), options.id));
   }
   std::cout << Signature(*record) << "\n";
+  PrintProvenance(*record, store);
   const std::pair<const char*, std::string> entries[] = {
       {"version", std::to_string(record->version)},
       {"agents", fmt::format("{}", fmt::join(record->agents, ", "))},
@@ -143,6 +175,7 @@ int Import(const LibraryOptions& options) {
                           SqliteActionStore::Mode::kCreate);
   const std::vector<ActionRecord> fresh =
       NewOnes(records, check, MemoryActionStore(store.All()), options.file);
+  store.BeginChange("cell library import " + options.file);
   const std::vector<int64_t> ids = store.Store(fresh, kBeforeRun);
   for (size_t i = 0; i < fresh.size(); ++i) {
     std::cout << fmt::format("{:4}  {}\n", ids[i], Signature(fresh[i]));
@@ -158,8 +191,7 @@ void AddLibrary(CLI::App& app, Action* action) {
   auto options = std::make_shared<LibraryOptions>();
   CLI::App* library = app.add_subcommand(
       "library",
-      "Show, export or import the actions that a cell knows, while no running "
-      "cell uses them.\n"
+      "Show, change, export or import the actions that a cell knows.\n"
       "Example: cell library list --database runs/demo-0001");
   library->require_subcommand(1);
   const auto add = [&](const std::string& name, const std::string& text,
@@ -176,10 +208,19 @@ void AddLibrary(CLI::App& app, Action* action) {
     });
     return command;
   };
-  add("list",
-      "List all actions: id, arguments, and agents that can perform them.\n"
-      "Example: cell library list --database runs/demo-0001",
-      List);
+  CLI::App* list =
+      add("list",
+          "List all actions: id, arguments, and agents that can perform them.\n"
+          "Example: cell library list --database runs/demo-0001",
+          List);
+  list->add_flag("--verbose", options->is_verbose,
+                 "also what stored each of them, and which demonstrations "
+                 "taught it");
+  list->add_flag("--all", options->shows_all, "also those that were removed");
+  add("changes",
+      "List what was done to the library: its runs, and the commands.\n"
+      "Example: cell library changes --database library.db",
+      Changes);
   add("show",
       "Show one action with its event chain, rules and skill.\n"
       "Example: cell library show 3 --database runs/demo-0001",
@@ -202,6 +243,7 @@ void AddLibrary(CLI::App& app, Action* action) {
   import->add_option("file", options->file, "JSON file")->required();
   import->add_option("--deploy", options->deploy_dir,
                      "folder with config/ and tasks/");
+  AddLibraryEdits(*library, action);
 }
 
 }  // namespace cell::cli

@@ -15,6 +15,7 @@ void AddSec(CLI::App& app, Action* action) {
   AddSecImport(*sec, action);
   AddSecPlot(*sec, action);
   AddSecRecord(*sec, action);
+  AddSecSimilar(*sec, action);
 }
 
 }  // namespace cell::cli

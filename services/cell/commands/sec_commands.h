@@ -11,5 +11,6 @@ inline constexpr char kChooseAnotherOut[] = "choose another --out or remove it";
 void AddSecImport(CLI::App& sec, Action* action);
 void AddSecPlot(CLI::App& sec, Action* action);
 void AddSecRecord(CLI::App& sec, Action* action);
+void AddSecSimilar(CLI::App& sec, Action* action);
 
 }  // namespace cell::cli

@@ -4,7 +4,9 @@
 #include "services/cell/evaluations/disturbed_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
 #include "services/cell/evaluations/keyframes_evaluation.h"
+#include "services/cell/evaluations/one_showing_evaluation.h"
 #include "services/cell/evaluations/stops_evaluation.h"
+#include "services/cell/evaluations/substitution_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
 namespace cell::cli {
@@ -37,6 +39,8 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeStopsEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());
+  all.push_back(MakeSubstitutionEvaluation());
+  all.push_back(MakeOneShowingEvaluation());
   return all;
 }
 

@@ -7,13 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "common/geometry/degree.h"
 #include "common/recordings/noisy_tracks.h"
 #include "common/task/task.h"
-#include "services/cell/recordings/episode_recorder.h"
+#include "services/cell/evaluations/pose_noise.h"
 #include "services/cell/recordings/recorded_tracks.h"
-#include "services/cell/running/service_registry.h"
-#include "services/cell/running/sim_run.h"
+#include "services/cell/recordings/simulated_recording.h"
 #include "services/cell/scoring/contact_score.h"
 #include "services/sec_builder/key_frame_builder.h"
 
@@ -46,33 +44,9 @@ constexpr std::array<Level, 7> kLevels = {
      {"5 mm", 5, false, 0, 0},
      {"2 mm, dropouts and swaps", 2, true, 0, 0}}};
 
-/// Testbed and tracker alone.
-Roster TestbedAlone(const Roster& whole) {
-  Roster roster;
-  roster.task = whole.task;
-  for (const auto& entry : whole.entries) {
-    if (entry.name == "vtb" || entry.name == "tracker") {
-      roster.entries.push_back(entry);
-    }
-  }
-  return roster;
-}
-
-Recording Simulate(const Task& task, const std::string& script, uint64_t seed,
-                   const Deployment& deployment, const Roster& roster) {
-  SimBus bus(TestbedAlone(roster), AllServices(deployment, script, seed));
-  EpisodeRecorder recorder(task, 1, "");
-  RunToEnd(bus, [&](const Message& message) { recorder.Put(message); });
-  return recorder.Finish();
-}
-
-/// Rotations are disturbed by 0.1 degrees for each mm.
 NoisyTracks::Params NoiseOf(const Level& level, const PartTable& parts,
                             uint64_t seed) {
-  NoisyTracks::Params noise;
-  noise.position_sd = level.mm * kMillimetre;
-  noise.rotation_sd = level.mm * 0.1 * kDegree;
-  noise.seed = seed;
+  NoisyTracks::Params noise = PoseNoise(level.mm, seed);
   if (!level.is_interrupted) return noise;
   noise.dropout_probability = 0.005;
   noise.swap_probability = 0.002;
@@ -116,7 +90,7 @@ class KeyframesEvaluation final : public Evaluation {
     const Task task = LoadTask(deployment);
     const char* script = kShownScripts[trial.seed % kShownScripts.size()];
     const Recording recording =
-        Simulate(task, script, trial.seed, deployment, roster);
+        SimulatedRecording(deployment, roster, script, trial.seed, "");
     const auto params = KeyFrameBuilder::Params::Load(deployment, task);
     const auto true_tracks = [&] {
       return std::make_unique<RecordedTracks>(recording, task.scene_objects,

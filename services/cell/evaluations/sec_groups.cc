@@ -39,7 +39,13 @@ Variant MakeVariant(const std::string& name,
 std::vector<Variant> AllVariants() {
   using enum ChainClustering::Threshold;
   using enum ChainClustering::Compared;
-  return {
+  std::vector<Variant> highest = {
+      MakeVariant<JointSimilarity>("joint, highest cut", kHighestCut,
+                                   kConsensus),
+      MakeVariant<TypedSimilarity>("typed, highest cut", kHighestCut,
+                                   kConsensus)};
+  for (Variant& variant : highest) variant.params.first_threshold = 0.9;
+  std::vector<Variant> all = {
       MakeVariant<PaperSimilarity>("paper, tau (as printed)", kMeanOfHigh,
                                    kAll),
       MakeVariant<PaperSimilarity>("paper, cut", kCut, kAll),
@@ -49,6 +55,8 @@ std::vector<Variant> AllVariants() {
       MakeVariant<TypedSimilarity>("typed, tau, consensus", kMeanOfHigh,
                                    kConsensus),
       MakeVariant<TypedSimilarity>(kImprovedGrouping, kCut, kConsensus)};
+  all.insert(all.end(), highest.begin(), highest.end());
+  return all;
 }
 
 struct LabelledSample {

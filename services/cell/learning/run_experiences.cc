@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "cell/action_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
@@ -31,7 +31,7 @@ class RunReader {
   void Put(const Message& message) {
     if (message.channel == "EPISODE") Take(Decode<episode_t>(message));
     if (message.channel == "PREDICATES") Take(Decode<predicates_t>(message));
-    if (message.channel == "ACTION") Take(Decode<action_t>(message));
+    if (message.channel == "ACTION") Take(Decode<recognised_action_t>(message));
     if (message.channel == "SKILL_REQUEST") {
       Take(Decode<skill_request_t>(message));
     }
@@ -66,21 +66,22 @@ class RunReader {
   void Take(const std::optional<predicates_t>& message) {
     if (!message) return;
     const auto sensed = planner::FromMessage(*message, world_.vocabulary());
-    if (sensed)
+    if (sensed) {
       tracer_->Sensed(sensed->key_frame, sensed->utime, sensed->state);
+    }
   }
 
-  void Take(const std::optional<action_t>& message) {
+  void Take(const std::optional<recognised_action_t>& message) {
     if (!message) return;
     const int64_t pick = message->pick_key_frame;
     const int64_t place = message->place_key_frame;
     const auto action =
-        message->kind == action_t::UNKNOWN
+        message->kind == recognised_action_t::UNKNOWN
             ? std::nullopt
             : FindGroundAction(world_.actions(), world_.vocabulary(),
                                message->name, message->arguments);
     if (!action) return tracer_->Moved(pick, place);
-    if (message->kind == action_t::FORWARD) {
+    if (message->kind == recognised_action_t::FORWARD) {
       return tracer_->Done(*action, pick, place);
     }
     const auto undoing = UndoingOf(*action);

@@ -26,11 +26,14 @@ constexpr char kHead[] =
 /// One recording, and what is learned from it.
 class Lesson {
  public:
+  /// @param names  unless null: each name that is not in it is learned from one
+  /// showing alone, and added to it
   Lesson(const Recording& recording, const Deployment& deployment,
-         const Task& task, SecLearner& learner)
+         const Task& task, SecLearner& learner, std::set<std::string>* names)
       : recording_(recording),
         source_(fmt::format("{} {}", recording.demonstration, recording.seed)),
         learner_(learner),
+        names_(names),
         tracks_(recording, task.scene_objects, task.layout, {}),
         builder_(sec_builder::KeyFrameBuilder::Params::Load(deployment, task)),
         recognition_(task.scene_objects, task.parts,
@@ -40,7 +43,12 @@ class Lesson {
                              SceneWords{task.domain.vocabulary(), task.parts})),
                      task.MakeSensor(), {}) {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      last_ = learner_.Add(manipulation, source_);
+      if (names_ == nullptr) {
+        last_ = learner_.Add(manipulation, source_, recording_.build);
+      } else {
+        shown_.emplace(Shown{manipulation.part, manipulation.before,
+                             manipulation.after, manipulation.chain});
+      }
     });
   }
 
@@ -55,11 +63,22 @@ class Lesson {
   }
 
  private:
+  /// A manipulation that is not learned yet.
+  struct Shown {
+    std::string part;
+    SensedFrame before, after;
+    EventChain chain;
+  };
+
   /// What is said before `utime` names what was shown before it.
   void Listen(int64_t utime) {
     for (; num_heard_ < recording_.spoken.size(); ++num_heard_) {
       const Recording::SpokenName& said = recording_.spoken[num_heard_];
       if (said.utime >= utime) return;
+      if (names_ != nullptr) {
+        if (!names_->insert(said.name).second) continue;
+        LearnShown();
+      }
       if (!last_) Fail(said, "nothing was shown before it");
       const auto group = learner_.Name(*last_, said.name, said.is_undone);
       if (!group) Fail(said, group.reason());
@@ -68,6 +87,13 @@ class Lesson {
                                                 : ActionDirection::kForward,
                                  false};
     }
+  }
+
+  void LearnShown() {
+    last_.reset();
+    if (!shown_) return;
+    last_ = learner_.Add(
+        {shown_->part, shown_->before, shown_->after, shown_->chain}, source_);
   }
 
   [[noreturn]] void Fail(const Recording::SpokenName& said,
@@ -80,6 +106,8 @@ class Lesson {
   const Recording& recording_;
   std::string source_;
   SecLearner& learner_;
+  std::set<std::string>* names_;
+  std::optional<Shown> shown_;
   RecordedTracks tracks_;
   sec_builder::KeyFrameBuilder builder_;
   recognizer::Recognition recognition_;
@@ -97,14 +125,22 @@ SecLessons::SecLessons(const Deployment& deployment)
                MakeChainSimilarity(SecLearner::kMeasure), {}) {}
 
 void SecLessons::Attend(const Recording& recording) {
+  RequireTask(recording);
+  Lesson(recording, deployment_, task_, learner_, nullptr).Attend();
+}
+
+void SecLessons::AttendFirstShowings(const Recording& recording) {
+  RequireTask(recording);
+  Lesson(recording, deployment_, task_, learner_, &names_).Attend();
+}
+
+void SecLessons::RequireTask(const Recording& recording) const {
   const auto task =
       (deployment_.task_dir / "").parent_path().filename().string();
-  if (recording.task != task) {
-    throw RecordingError(fmt::format(
-        "{} {}: is a recording of the task {}, not {}", recording.demonstration,
-        recording.seed, Printable(recording.task), task));
-  }
-  Lesson(recording, deployment_, task_, learner_).Attend();
+  if (recording.task == task) return;
+  throw RecordingError(fmt::format(
+      "{} {}: is a recording of the task {}, not {}", recording.demonstration,
+      recording.seed, Printable(recording.task), task));
 }
 
 std::map<std::string, LearnedModel> SecLessons::Models() const {

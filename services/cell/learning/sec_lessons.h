@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ class SecLessons {
   /// that is said of nothing or cannot be given.
   void Attend(const Recording& recording);
 
+  /// The same, but each name is learned from its first showing alone, and what
+  /// nobody names is passed over. @throws like Attend().
+  void AttendFirstShowings(const Recording& recording);
+
   /// All groups of showings; made-up names are those that nobody has said.
   std::vector<SecLearner::Action> Actions() const { return learner_.Actions(); }
   /// The models of the actions of the task, with their arguments.
@@ -33,9 +38,12 @@ class SecLessons {
   std::string ModelsText() const;
 
  private:
+  void RequireTask(const Recording& recording) const;
+
   Deployment deployment_;
   Task task_;
   SecLearner learner_;
+  std::set<std::string> names_;  // with a first showing
 };
 
 }  // namespace cell::cli

@@ -2,9 +2,9 @@
 
 namespace cell::cli {
 
-std::optional<command_name_t> Speaker::Answer(const action_t& action,
+std::optional<command_name_t> Speaker::Answer(const recognised_action_t& action,
                                               const vtb::Script& script) const {
-  if (action.kind != action_t::UNKNOWN) return std::nullopt;
+  if (action.kind != recognised_action_t::UNKNOWN) return std::nullopt;
   command_name_t command{};
   if (!script.lay_down.empty()) {
     command.name = demonstrations_.raising;

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "cell/action_t.hpp"
 #include "cell/command_name_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "common/parts/part_table.h"
 #include "services/vtb/script.h"
 
@@ -20,7 +20,7 @@ class Speaker {
   /// Without a deadline. Nothing if the action has a name, or the person does
   /// not know one.
   /// @param script  that the person follows
-  std::optional<command_name_t> Answer(const action_t& action,
+  std::optional<command_name_t> Answer(const recognised_action_t& action,
                                        const vtb::Script& script) const;
 
  private:

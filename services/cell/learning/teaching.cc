@@ -42,7 +42,7 @@ Recording Teach(const Deployment& source, const std::string& script,
       if (stop) run.Stopped();
       for (const Message& message : bus.last_messages()) {
         if (message.channel != "ACTION") continue;
-        const auto action = Decode<action_t>(message);
+        const auto action = Decode<recognised_action_t>(message);
         if (!action) continue;
         const auto said =
             speaker.Answer(*action, demonstrations.scripts.at(script));

@@ -4,7 +4,6 @@
 
 #include "cell/ack_t.hpp"
 #include "cell/action_record_t.hpp"
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -14,6 +13,7 @@
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
+#include "cell/command_library_t.hpp"
 #include "cell/command_mode_t.hpp"
 #include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
@@ -28,6 +28,7 @@
 #include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/rgbd_frame_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
@@ -53,7 +54,7 @@ ChannelType Of() {
 const std::map<std::string, ChannelType>& Table() {
   static const std::map<std::string, ChannelType> table = {
       {"ACK", Of<ack_t>()},
-      {"ACTION", Of<action_t>()},
+      {"ACTION", Of<recognised_action_t>()},
       {"ACTION_RECORD", Of<action_record_t>()},
       {"ALERT", Of<alert_t>()},
       {"ANSWER", Of<answer_t>()},
@@ -68,6 +69,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
+      {"COMMAND_LIBRARY", Of<command_library_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},
       {"COMMAND_NAME", Of<command_name_t>()},
       {"EPISODE", Of<episode_t>()},

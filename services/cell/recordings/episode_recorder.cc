@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cell/command_name_t.hpp"
 #include "cell/tracks_t.hpp"
+#include "cell/truth_action_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
 
@@ -23,6 +25,29 @@ std::vector<std::string> BodiesOf(const Task& task) {
   }
   std::ranges::sort(bodies);
   return bodies;
+}
+
+/// Nothing if it is of no kind that is known.
+std::optional<Recording::TrueAction> TrueActionOf(
+    const truth_action_t& message) {
+  using enum Recording::TrueAction::Kind;
+  Recording::TrueAction action{message.header.utime, kMoved, message.part,
+                               message.site};
+  switch (message.kind) {
+    case truth_action_t::PLACED:
+      action.kind = kPlaced;
+      return action;
+    case truth_action_t::TAKEN_BACK:
+      action.kind = kTakenBack;
+      return action;
+    case truth_action_t::MOVED:
+      return action;
+    case truth_action_t::TIPPED:
+      action.kind = kTipped;
+      return action;
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -50,6 +75,10 @@ void EpisodeRecorder::Put(const Message& message) {
     if (const auto m = Decode<command_name_t>(message)) {
       head_.spoken.push_back(
           {int64_t{message.tick} * kTickUs, m->name, m->is_undone != 0});
+    }
+  } else if (message.channel == "TRUTH_ACTIONS") {
+    if (const auto m = Decode<truth_action_t>(message)) {
+      if (auto action = TrueActionOf(*m)) head_.truth.push_back(*action);
     }
   } else if (message.channel == "TRACKS") {
     const auto m = Decode<tracks_t>(message);

@@ -14,7 +14,8 @@
 namespace cell::cli {
 
 /// Makes the recording of one episode from the messages of a testbed: for each
-/// TRACKS the TRUTH_POSES that it was made of, of the task's parts and hands.
+/// TRACKS the TRUTH_POSES that it was made of, of the task's parts and hands;
+/// the names that were said; and, for scorers, the TRUTH_ACTIONS.
 class EpisodeRecorder {
  public:
   /// @param number  of the episode, from 1. @param build  that simulates it.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <map>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
 #include "cell/episode_t.hpp"
@@ -15,6 +14,7 @@
 #include "cell/operating_mode_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
@@ -131,21 +131,24 @@ std::vector<std::string> Narrator::DescribeKeyFrame(const Message& message) {
 }
 
 std::vector<std::string> Narrator::DescribeAction(const Message& message) {
-  const auto action = Decode<action_t>(message);
+  const auto action = Decode<recognised_action_t>(message);
   if (!action) return {};
   std::string what;
   switch (action->kind) {
-    case action_t::FORWARD:
+    case recognised_action_t::FORWARD:
       what = "recognised " + Call(*action, action->name);
       break;
-    case action_t::REVERSED:
+    case recognised_action_t::REVERSED:
       what = "recognised the reverse of " + Call(*action, action->name);
       break;
     default:
       what = "an unknown manipulation of " + action->part;
   }
-  return {Line(action->header.utime,
-               fmt::format("{} by {}", what, fmt::join(action->hands, ", ")))};
+  std::string line =
+      fmt::format("{} by {}", what, fmt::join(action->hands, ", "));
+  if (is_verbose_)
+    line += fmt::format(", confidence {:.2f}", action->confidence);
+  return {Line(action->header.utime, line)};
 }
 
 std::vector<std::string> Narrator::DescribePredicates(const Message& message) {

@@ -8,6 +8,8 @@
 #include "common/actions/sec_models.h"
 #include "common/files/draft.h"
 #include "common/recordings/recording_file.h"
+#include "services/library/open_store.h"
+#include "services/library/sqlite_action_store.h"
 
 namespace cell::cli {
 namespace {
@@ -123,10 +125,12 @@ void RunFolder::Fill(const Deployment& source) {
 void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
   demonstration = episodes;
   seed = chance;
-  WriteFile(path / "run.yaml",
-            fmt::format("task: {}\ndemonstration: \"{}\"\nseed: {}\n",
-                        deployment.task_dir.filename().string(), demonstration,
-                        seed));
+  WriteFile(
+      path / "run.yaml",
+      fmt::format("task: {}\ndemonstration: \"{}\"\nseed: {}\n"
+                  "library: {{file: \"{}\", change: {}, build: \"{}\"}}\n",
+                  deployment.task_dir.filename().string(), demonstration, seed,
+                  library.file, library.change, library.build));
 }
 
 void RunFolder::EnableServices(const std::string& option) {
@@ -148,11 +152,31 @@ void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
   WriteFile(file, YAML::Dump(planner) + "\n");
 }
 
-void RunFolder::LearnFromNothing() const {
+void RunFolder::SetLearning(bool is_learning) const {
   const fs::path file = deployment.config_dir / "recognizer.yaml";
   YAML::Node recognizer = YAML::LoadFile(file.string());
-  recognizer["learning"] = true;
+  recognizer["learning"] = is_learning;
   WriteFile(file, YAML::Dump(recognizer) + "\n");
+}
+
+void RunFolder::UseLibrary(const fs::path& file) {
+  const fs::path target = fs::absolute(file).lexically_normal();
+  {
+    const library::SqliteActionStore store(
+        target, library::SqliteActionStore::Mode::kCreate);
+    const auto changes = store.Changes();
+    this->library = {target.string(), 0, ""};
+    if (!changes.empty()) {
+      this->library.change = changes.back().number;
+      this->library.build = changes.back().build;
+    }
+  }
+  fs::create_symlink(target, path / library::kDatabaseName);
+  AskFor(demonstration, seed);
+}
+
+void RunFolder::LearnFromNothing() const {
+  SetLearning(true);
   WriteFile(deployment.task_dir / kSecModelsFile, "models: {}\n");
 }
 
@@ -177,6 +201,12 @@ RunFolder RunFolder::Open(const std::string& path) {
   run.deployment.repeated_dir = run.path;
   run.demonstration = config.Get<std::string>("demonstration");
   run.seed = config.Get<uint64_t>("seed");
+  if (config.Has("library")) {  // a build before 0.1.0's changes names none
+    const Config library = config["library"];
+    run.library = {library.Get<std::string>("file"),
+                   static_cast<int64_t>(library.Get<uint64_t>("change")),
+                   library.Get<std::string>("build")};
+  }
   config.Finish();
   run.roster = Roster::FromConfig(
       Config::Load(run.deployment.config_dir / "roster.yaml"));

@@ -18,6 +18,13 @@ struct RunFolder {
   Roster roster;
   std::string demonstration;
   uint64_t seed = 0;
+  /// The library that the run begins with.
+  struct LibraryVersion {
+    std::string file;    ///< empty: the actions of the task
+    int64_t change = 0;  ///< the last one that was made to it
+    std::string build;   ///< that made it
+  };
+  LibraryVersion library;
 
   /// Makes `path` (must not exist or be empty; "" picks runs/<kind>-<number>
   /// here) and copies `source` into it.
@@ -33,6 +40,11 @@ struct RunFolder {
   void LeaveToPerson(const std::vector<std::string>& actions) const;
   /// The recognizer of this run knows no action at first, and learns.
   void LearnFromNothing() const;
+  /// What is shown in this run changes what the recognizer knows, or does not.
+  void SetLearning(bool is_learning) const;
+  /// The run works on this library's file, which outlives it.
+  /// @throws std::runtime_error if it cannot be used.
+  void UseLibrary(const std::filesystem::path& file);
   /// Keeps the demonstration and seed of the run: a recording of another
   /// process's cell learns them only later. @throws std::runtime_error naming
   /// the file.

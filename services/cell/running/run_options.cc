@@ -1,10 +1,12 @@
 #include "services/cell/running/run_options.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "services/cell/running/task_check.h"
+#include "services/cell/running/task_variant.h"
 
 namespace cell::cli {
 
@@ -25,13 +27,26 @@ void RunOptions::AddTo(CLI::App& command) {
                    "run the camera sets and log their frames");
   command.add_flag("--from-nothing", is_from_nothing,
                    "recognise no action at first, and learn what is shown");
+  CLI::Option* learn = command.add_flag(
+      "--learn", learns, "learn from what is shown (default: recognizer.yaml)");
+  command.add_flag("--no-learn", does_not_learn, "learn nothing")
+      ->excludes(learn);
+  command.add_option("--library", library,
+                     "library that the run works on and that outlives it "
+                     "(default: library.db of the run folder)");
+  command.add_option("--variant", variant,
+                     "change the task as its variants/NAME.yaml says");
   command.add_flag("--hash", is_hash, "print only one digest per channel");
   command.add_flag("--verbose", is_verbose,
                    "also print whole plans, and conditions as formulas");
 }
 
 RunFolder RunOptions::CreateFolder(const std::string& kind) const {
-  const CellFiles files = FindCellFiles(deploy_dir);
+  CellFiles files = FindCellFiles(deploy_dir);
+  std::optional<VariedTask> varied;
+  if (!variant.empty()) {
+    files.deployment = varied.emplace(files.deployment, variant).deployment();
+  }
   std::string episodes = demonstration;
   if (!help_steps.empty() && episodes.empty()) {
     episodes = "assembly+execution_helped";
@@ -43,6 +58,15 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
       RunFolder::Create(out, kind, files.deployment, episodes, seed);
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
   if (is_from_nothing) run.LearnFromNothing();
+  if (learns || does_not_learn) run.SetLearning(learns);
+  if (!library.empty()) {
+    try {
+      run.UseLibrary(library);
+    } catch (...) {
+      run.Discard();
+      throw;
+    }
+  }
   if (has_cameras) run.EnableServices("cameras");
   return run;
 }

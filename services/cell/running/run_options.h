@@ -20,6 +20,10 @@ struct RunOptions {
   std::string out;
   bool has_cameras = false;
   bool is_from_nothing = false;
+  bool learns = false;          ///< whatever recognizer.yaml says
+  bool does_not_learn = false;  ///< the same
+  std::string library;
+  std::string variant;
   bool is_hash = false;
   bool is_verbose = false;
   std::vector<std::string> help_steps;

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
@@ -25,7 +25,7 @@ namespace cell::cli {
 /// messages. Reads ground truth, so no service may use it.
 struct EpisodeRecord {
   episode_t episode{};  ///< as it was started
-  std::vector<action_t> actions;
+  std::vector<recognised_action_t> actions;
   std::vector<truth_action_t> truth_actions;
   std::vector<alert_t> alerts;
   std::vector<plan_t> plans;

@@ -14,7 +14,7 @@ constexpr int64_t kMatchUs = 1'500'000;
 // The key frame which shows the action, and one more.
 constexpr int64_t kOneKeyFrame = 1;
 
-bool Names(const action_t& action, const truth_action_t& truth) {
+bool Names(const recognised_action_t& action, const truth_action_t& truth) {
   if (action.part != truth.part ||
       std::llabs(action.header.utime - truth.header.utime) > kMatchUs) {
     return false;
@@ -23,8 +23,8 @@ bool Names(const action_t& action, const truth_action_t& truth) {
     case truth_action_t::PLACED:
     case truth_action_t::TAKEN_BACK: {
       const int8_t kind = truth.kind == truth_action_t::PLACED
-                              ? action_t::FORWARD
-                              : action_t::REVERSED;
+                              ? recognised_action_t::FORWARD
+                              : recognised_action_t::REVERSED;
       // An action without a site among its arguments has but one place to go.
       return action.kind == kind && !action.arguments.empty() &&
              action.arguments[0] == truth.part &&
@@ -33,9 +33,10 @@ bool Names(const action_t& action, const truth_action_t& truth) {
     }
     case truth_action_t::TIPPED:
       // Raising may be an action of the task; laying down is its reverse.
-      return action.kind == action_t::UNKNOWN || action.arguments.size() == 1;
+      return action.kind == recognised_action_t::UNKNOWN ||
+             action.arguments.size() == 1;
     default:
-      return action.kind == action_t::UNKNOWN;
+      return action.kind == recognised_action_t::UNKNOWN;
   }
 }
 
@@ -57,7 +58,7 @@ std::vector<std::optional<size_t>> Match(const EpisodeRecord& record) {
 // Alerts about the plan that answer this action: from the action until one key
 // frame after the one that showed it.
 std::vector<const alert_t*> AlertsOf(const EpisodeRecord& record,
-                                     const action_t& action) {
+                                     const recognised_action_t& action) {
   std::vector<const alert_t*> alerts;
   const int64_t from = action.header.utime;
   const auto after =

@@ -1,25 +1,16 @@
 #include "services/planner/execution/act.h"
 
 #include <algorithm>
-#include <set>
 
 #include "services/planner/execution/ask.h"
 #include "services/planner/execution/await_person.h"
 #include "services/planner/execution/clean_up.h"
 #include "services/planner/execution/undecided.h"
-#include "services/planner/meanwhile.h"
 #include "services/planner/outcome_prediction.h"
 #include "services/planner/question.h"
 
 namespace cell::planner {
 namespace {
-
-/// Nullopt if the action is left to the person.
-std::optional<SkillRequest> RequestToArm(const GroundAction& action,
-                                         const ExecutionContext& context) {
-  if (context.params.help_steps.contains(action)) return std::nullopt;
-  return RequestFor(action, context.plan.rules());
-}
 
 /// True if it neither concerns the objects of the other arms' skills nor keeps
 /// those skills from being possible.
@@ -71,20 +62,16 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
     case Plan::Result::kGoalReached:
       context.dialogue.OnStart();
       return std::make_unique<CleanUp>(context.params.dispatch.max_attempts);
-    case Plan::Result::kNoPlan:
-      if (BeginMeanwhile(context, state, now, out)) return nullptr;
-      break;
-    case Plan::Result::kUndecided:
-      break;
+    default:
+      return std::make_unique<Undecided>(state);
   }
-  return std::make_unique<Undecided>(state);
 }
 
 NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
                      Decisions& out) {
   const RuleSet& rules = context.plan.rules();
   const GroundAction& action = context.plan.get().steps.at(0).action;
-  const auto request = RequestToArm(action, context);
+  const auto request = context.RequestToArm(action);
   if (!request) {
     return std::make_unique<Ask>(
         state, ExecutionStatus{
@@ -101,28 +88,12 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
   return nullptr;
 }
 
-/// Does what does not depend on a person's help. False if there is nothing.
-bool Act::BeginMeanwhile(ExecutionContext& context, const State& state,
-                         Instant now, Decisions& out) {
-  std::set<GroundAction> blocked = context.dispatch.failures().Blocked();
-  blocked.insert(context.params.help_steps.begin(),
-                 context.params.help_steps.end());
-  const auto action = StepMeanwhile(context.plan, state, blocked);
-  if (!action) return false;
-  const auto request = RequestToArm(*action, context);
-  if (!request) return false;
-  if (context.dispatch.IsFree(request->arm)) {
-    context.dispatch.Start(*request, *action, state, now, out);
-  }
-  return true;
-}
-
 /// Lets another arm hand over what the plan needs later.
 void Act::HandOver(ExecutionContext& context, const State& state, Instant now,
                    Decisions& out) {
   if (!context.params.parallel) return;
   for (const PlanStep& step : context.plan.get().steps) {
-    const auto request = RequestToArm(step.action, context);
+    const auto request = context.RequestToArm(step.action);
     if (!request || !MayHandOver(step.action, *request, context, state)) {
       continue;
     }

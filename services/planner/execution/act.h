@@ -6,7 +6,6 @@ namespace cell::planner {
 
 /// Plans from the fresh state, and asks the free arms for what the plan begins
 /// with. While one arm works, others may hand over what the plan needs later.
-/// If there is no plan: what can be done before a person helps.
 class Act final : public ExecutionState {
  public:
   std::string_view name() const override { return "act"; }
@@ -17,9 +16,6 @@ class Act final : public ExecutionState {
   /// Of a plan to the goal.
   static NextState Begin(ExecutionContext& context, const State& state,
                          Instant now, Decisions& out);
-  /// Without one.
-  static bool BeginMeanwhile(ExecutionContext& context, const State& state,
-                             Instant now, Decisions& out);
   static void HandOver(ExecutionContext& context, const State& state,
                        Instant now, Decisions& out);
 };

@@ -41,6 +41,12 @@ struct ExecutionContext {
     return !dispatch.HasArmToFree();
   }
 
+  /// Nullopt if the action is left to the person.
+  std::optional<SkillRequest> RequestToArm(const GroundAction& action) const {
+    if (params.help_steps.contains(action)) return std::nullopt;
+    return RequestFor(action, plan.rules());
+  }
+
   /// What was sensed and what arms report. @pre the sensed state is fresh.
   State StateNow() const {
     return dispatch.arms().WithReports(sensing.Fresh()->state);

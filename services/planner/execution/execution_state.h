@@ -16,8 +16,8 @@ namespace cell::planner {
 ///
 ///     Act --goal reached--> CleanUp --arms are home--> Done
 ///     Act --a step is left to the person--> Ask
-///     Act --no sure plan, nothing to do meanwhile--> Undecided
-///     Undecided --patience is over--> Ask
+///     Act --no sure plan--> Undecided --patience is over--> Ask
+///     Undecided --patience is over, something can be done meanwhile--> Act
 ///     Undecided, Ask --another plan, or other rules--> Act
 ///     Undecided, Ask, Act --the state changes after a question--> AwaitPerson
 ///     AwaitPerson --the state stays--> Act

@@ -7,7 +7,8 @@
 namespace cell::planner {
 
 /// There is no plan, or none that is sure. For a while that may settle by
-/// itself, as when a person is at work; then the person is asked.
+/// itself, as when a person is at work; then all is done that does not depend
+/// on it, and the person is asked.
 class Undecided final : public ExecutionState {
  public:
   explicit Undecided(State state) : state_(std::move(state)) {}

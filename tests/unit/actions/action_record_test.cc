@@ -255,7 +255,7 @@ TEST_F(Records, OfTheFirstFormatHaveTheFirstVersion) {
   std::string text = TextOfContent({of_task_[0]});
   const std::string of_record = "\"version\": 1,";
   text.erase(text.find(of_record), of_record.size());
-  text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
+  text.replace(text.find("\"version\": 3"), 12, "\"version\": 1");
   EXPECT_EQ(ContentFromText(text, "a.json"), std::vector{of_task_[0]});
 }
 
@@ -274,8 +274,11 @@ TEST_F(Records, AreReadStrictlyFromJson) {
   };
   EXPECT_EQ(complaint("\"id\"", "\"id\""), "");
   EXPECT_THAT(complaint("{", ""), HasSubstr("a.json: is not JSON"));
-  EXPECT_THAT(complaint("\"version\": 2", "\"version\": 3"),
-              HasSubstr("a.json.version: is not a known version, 1 to 2"));
+  EXPECT_THAT(complaint("\"version\": 3", "\"version\": 4"),
+              testing::AllOf(HasSubstr("a.json.version: is 4; this build ("),
+                             HasSubstr("reads 1 to 3; use build ")));
+  EXPECT_THAT(complaint("\"build\"", "\"built\""),
+              HasSubstr("a.json.built: not known"));
   EXPECT_THAT(complaint("actions of a cell", "recipes"),
               HasSubstr("a.json.format: should be"));
   EXPECT_THAT(complaint("\"id\": 0", "\"id\": 0.5"),

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/library_request_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "common/actions/action_model_writer.h"
 #include "common/actions/record_messages.h"
@@ -134,7 +134,8 @@ class ActionRecords : public testing::Test {
     std::vector<std::string> names;
     const auto see = [&] {
       service.Give("KEY_FRAME", KeyFrameToMessage(stage_.Frame()));
-      for (const auto& action : On<action_t>("ACTION", service.Run())) {
+      for (const auto& action :
+           On<recognised_action_t>("ACTION", service.Run())) {
         names.push_back(action.name);
       }
     };

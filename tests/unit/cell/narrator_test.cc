@@ -6,6 +6,7 @@
 #include "cell/execution_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "common/bus/bus.h"
 
 namespace cell::cli {
@@ -81,6 +82,24 @@ TEST(Narrator, TellsWhatHasChangedNotWhatThereIs) {
   predicates.literals[1].value = literal_t::FALSE_;
   EXPECT_THAT(Trimmed(brief.Describe(MessageOf("PREDICATES", predicates))),
               ElementsAre("now: not Open()"));
+}
+
+TEST(Narrator, TellsTheConfidenceInAnActionOnRequestOnly) {
+  recognised_action_t action{};
+  action.kind = recognised_action_t::FORWARD;
+  action.name = "Insert";
+  action.arguments = {"bolt"};
+  action.num_arguments = 1;
+  action.hands = {"hand"};
+  action.num_hands = 1;
+  action.confidence = 0.876;
+  Narrator brief, verbose(true);
+  EXPECT_THAT(brief.Describe(MessageOf("ACTION", action)),
+              ElementsAre(HasSubstr("recognised Insert(bolt) by hand")));
+  EXPECT_THAT(brief.Describe(MessageOf("ACTION", action))[0],
+              testing::Not(HasSubstr("0.88")));
+  EXPECT_THAT(verbose.Describe(MessageOf("ACTION", action))[0],
+              HasSubstr("by hand, confidence 0.88"));
 }
 
 TEST(Narrator, TellsTheFormulaOfAQuestionOnRequestOnly) {

@@ -45,6 +45,18 @@ TEST(SecLessons, TheShippedModelsAreLearnedFromTheShippedRecordings) {
   }
 }
 
+TEST(SecLessons, AFirstShowingIsAllThatIsLearnedOfAName) {
+  SecLessons lessons(ShippedDeployment());
+  for (const Recording& recording : ShippedRecordings()) {
+    lessons.AttendFirstShowings(recording);
+  }
+  const auto models = lessons.Models();
+  EXPECT_THAT(models, SizeIs(7));
+  for (const auto& [name, model] : models) {
+    EXPECT_EQ(model.NumShown(), 1) << name;
+  }
+}
+
 TEST(SecLessons, ARecordingOfAnotherTaskOrWithAWrongNameIsRefused) {
   SecLessons lessons(ShippedDeployment());
   Recording recording = ShippedRecordings().back();
@@ -68,8 +80,8 @@ TEST(Speaker, NamesWhatTheCellDoesNotKnow) {
   const auto demonstrations = vtb::Demonstrations::FromConfig(
       ShippedDeployment().OfTask("demonstrators.yaml"), task.parts);
   const Speaker speaker(demonstrations, task.parts);
-  action_t action{};
-  action.kind = action_t::UNKNOWN;
+  recognised_action_t action{};
+  action.kind = recognised_action_t::UNKNOWN;
   action.part = "shaft";
   const vtb::Script& assembly = demonstrations.scripts.at("assembly");
   EXPECT_EQ(speaker.Answer(action, assembly)->name, "PlaceRoundPeg");
@@ -81,7 +93,7 @@ TEST(Speaker, NamesWhatTheCellDoesNotKnow) {
   action.part = "cup";
   EXPECT_FALSE(speaker.Answer(action, assembly));
   action.part = "shaft";
-  action.kind = action_t::FORWARD;
+  action.kind = recognised_action_t::FORWARD;
   EXPECT_FALSE(speaker.Answer(action, assembly));
 }
 

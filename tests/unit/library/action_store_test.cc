@@ -164,6 +164,49 @@ TEST_P(Contract, ReplacesARecordByOneOfAHigherVersion) {
   EXPECT_EQ(store_->FindNamed("Insert")->version, 2);
 }
 
+TEST_P(Contract, KeepsWhatItHeldBeforeEachChange) {
+  EXPECT_THAT(store_->Changes(), IsEmpty());
+  StoreOne(*store_, "Insert", kBeforeRun);
+  store_->BeginChange("idle");
+  store_->BeginChange("run 1");
+  const int64_t id = StoreOne(*store_, "Remove", 3);
+  store_->BeginChange("run 2");
+  ASSERT_EQ(store_->Changes().size(), 2u);
+  EXPECT_EQ(store_->Changes()[0].number, 1);
+  EXPECT_EQ(store_->Changes()[0].what, "run 1");
+  EXPECT_NE(store_->Changes()[0].build, "");
+  EXPECT_EQ(store_->Changes()[1].what, "run 2");
+  EXPECT_EQ(store_->ChangeOf(id)->what, "run 1");
+  EXPECT_EQ(store_->ChangeOf(1), std::nullopt);
+  ASSERT_EQ(store_->ContentBefore(1)->size(), 1u);
+  EXPECT_EQ(store_->ContentBefore(1)->front().name, "Insert");
+  EXPECT_EQ(store_->ContentBefore(2)->size(), 2u);
+  EXPECT_EQ(store_->ContentBefore(3), std::nullopt);
+}
+
+TEST_P(Contract, KeepsTheLastChangesOnly) {
+  for (int64_t i = 0; i <= ActionStore::kMaxChanges; ++i) {
+    store_->BeginChange("change " + std::to_string(i));
+    StoreOne(*store_, "A" + std::to_string(i), kBeforeRun);
+  }
+  const auto changes = store_->Changes();
+  ASSERT_EQ(static_cast<int64_t>(changes.size()), ActionStore::kMaxChanges);
+  EXPECT_EQ(changes.front().number, 2);
+  EXPECT_EQ(changes.back().number, ActionStore::kMaxChanges + 1);
+}
+
+TEST_P(Contract, TellsWhatWasThereBeforeTheRun) {
+  StoreOne(*store_, "Insert", kBeforeRun);
+  ActionRecord next = Named("Insert");
+  next.version = 2;
+  store_->Store({&next, 1}, 4);
+  StoreOne(*store_, "Remove", 5);
+  ASSERT_EQ(store_->BeforeRun().size(), 1u);
+  EXPECT_EQ(store_->BeforeRun()[0].version, 1);
+  store_->BeginRun();
+  EXPECT_EQ(store_->BeforeRun(), store_->All());
+}
+
 using SqliteFile = StoreFile;
 
 TEST_F(SqliteFile, IsReadAgainByTheNextProcessWithItsTicks) {
@@ -225,7 +268,19 @@ TEST_F(SqliteFile, OfANewerSchemaIsLeftAsItIs) {
   }
   const std::string before = Bytes();
   EXPECT_THAT(Complaint(), HasSubstr("has schema 99, newer than"));
+  EXPECT_THAT(Complaint(), HasSubstr("use the build of the cell that wrote"));
   EXPECT_EQ(Bytes(), before);
+}
+
+TEST_F(SqliteFile, OfANewerSchemaNamesTheBuildThatReadsIt) {
+  {
+    SQLite::Database database(file_.string(),
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    Migrate(database, LibrarySchema());
+    database.exec("PRAGMA user_version = 99");
+    database.exec("INSERT INTO change VALUES (4, 'a run', '7.2.0', '')");
+  }
+  EXPECT_THAT(Complaint(), HasSubstr("; use build 7.2.0, or a newer one"));
 }
 
 TEST_F(SqliteFile, OfAnotherProgramIsLeftAsItIs) {
@@ -251,8 +306,10 @@ TEST_F(SqliteFile, ThatIsDamagedIsNamedWithTheFix) {
     for (int i = 0; i < 200; ++i) StoreOne(store, "A" + std::to_string(i), 0);
   }
   std::fstream stream(file_, std::ios::in | std::ios::out);
-  stream.seekp(4096 + 8);  // the second page: a table's
-  stream << std::string(64, '\x55');
+  for (int page = 1; page < 8; ++page) {  // all but the first: of tables
+    stream.seekp(4096 * page + 8);
+    stream << std::string(64, '\x55');
+  }
   stream.close();
   const std::string complaint = Complaint();
   EXPECT_THAT(complaint, HasSubstr(file_.string() + ": is damaged"));

@@ -104,8 +104,9 @@ class PlannerService : public testing::Test {
     message.num_literals = static_cast<int32_t>(message.literals.size());
     return message;
   }
-  static action_t PlaceShaft(int8_t kind, int64_t index, int64_t place) {
-    action_t action{};
+  static recognised_action_t PlaceShaft(int8_t kind, int64_t index,
+                                        int64_t place) {
+    recognised_action_t action{};
     action.header.utime = place * 1000;
     action.index = index;
     action.header.seq = static_cast<int32_t>(index);
@@ -147,13 +148,13 @@ TEST_F(PlannerService, PlansAfterAnActionAndWarnsOfItsReversal) {
   Start("assembled");
   Give("PREDICATES", Predicates(0, cranfield_.Start()));
   Run();
-  Give("ACTION", PlaceShaft(action_t::FORWARD, 0, 2));
+  Give("ACTION", PlaceShaft(recognised_action_t::FORWARD, 0, 2));
   Give("PREDICATES", Predicates(2, placed));
   Run();
   ASSERT_EQ(plans_.size(), 1u);
   EXPECT_NEAR(plans_[0].expected_actions, 8 / 0.95, 1e-8);
   EXPECT_TRUE(alerts_.empty());
-  Give("ACTION", PlaceShaft(action_t::REVERSED, 1, 4));
+  Give("ACTION", PlaceShaft(recognised_action_t::REVERSED, 1, 4));
   Give("PREDICATES", Predicates(4, cranfield_.Start()));
   Run();
   ASSERT_EQ(alerts_.size(), 1u);
@@ -220,7 +221,7 @@ TEST_F(PlannerService, AnActionAccountsForItsOwnPlacementAlone) {
   Give("PREDICATES",
        Predicates(2, WithPegs({{"shaft", "base.shaft"},
                                {"round_peg_1", "base.round_1"}})));
-  Give("ACTION", PlaceShaft(action_t::FORWARD, 0, 2));
+  Give("ACTION", PlaceShaft(recognised_action_t::FORWARD, 0, 2));
   const std::string told = UnseenWithin(30);
   EXPECT_THAT(told, HasSubstr("PegInHole(round_peg_1, base.round_1)"));
   EXPECT_THAT(told, Not(HasSubstr("PegInHole(shaft")));
@@ -272,9 +273,10 @@ TEST_F(PlannerService, RejectsWhatTheDomainDoesNotKnow) {
   bad.key_frame = -1;
   EXPECT_FALSE(FromMessage(bad, vocabulary).has_value());
 
-  const action_t action = PlaceShaft(action_t::FORWARD, 0, 2);
+  const recognised_action_t action =
+      PlaceShaft(recognised_action_t::FORWARD, 0, 2);
   ASSERT_TRUE(FromMessage(action, rules).has_value());
-  action_t wrong = action;
+  recognised_action_t wrong = action;
   wrong.kind = 3;
   EXPECT_FALSE(FromMessage(wrong, rules).has_value());
   wrong = action;

@@ -99,6 +99,28 @@ TEST_F(PredicateSensorTest, SeatedEndsAtItsTolerances) {
   }
 }
 
+// Half a millimetre either way of the limit in z, which is 0.8 mm.
+TEST_F(PredicateSensorTest, WhatUncertainPosesCannotDecideIsUnknown) {
+  const auto uncertain = task_.MakeSensor({.position = 0.0005});
+  const auto at_height = [&](double mm) {
+    stage_.Seat("square_peg_1", "base.square_2",
+                Isometry3d(Translation3d(0, 0, mm * 1e-3)));
+    return In(uncertain->Sense(SceneOf(stage_.Frame(), task_.scene_objects)),
+              "PegInHole(square_peg_1, base.square_2)");
+  };
+  EXPECT_EQ(at_height(0), Truth::kTrue);
+  EXPECT_EQ(at_height(0.29), Truth::kTrue);
+  EXPECT_EQ(at_height(0.31), Truth::kUnknown);
+  EXPECT_EQ(at_height(1.29), Truth::kUnknown);
+  EXPECT_EQ(at_height(1.31), Truth::kFalse);
+  const auto very_uncertain = task_.MakeSensor({.position = 0.004});
+  EXPECT_EQ(
+      In(very_uncertain->Sense(SceneOf(stage_.Frame(), task_.scene_objects)),
+         "PegInHole(square_peg_1, base.square_1)"),
+      Truth::kFalse)
+      << "another site is far away";
+}
+
 TEST_F(PredicateSensorTest, SeatedAsksForTouchAndFit) {
   stage_.Seat("shaft", "base.shaft");
   KeyFrame frame = stage_.Frame();

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "cell/action_t.hpp"
 #include "cell/alert_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/predicates_t.hpp"
+#include "cell/recognised_action_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/tracks_t.hpp"
@@ -241,7 +241,8 @@ TEST_F(WatchingServicesTest, TracksComeAtCameraRate) {
 TEST_F(WatchingServicesTest, ManipulationsAreRecognised) {
   Demonstrate();
   std::vector<std::string> seen;
-  for (const action_t& action : watchers_->Sent<action_t>("ACTION")) {
+  for (const recognised_action_t& action :
+       watchers_->Sent<recognised_action_t>("ACTION")) {
     EXPECT_EQ(action.index, static_cast<int64_t>(seen.size()));
     EXPECT_THAT(action.hands, ElementsAre("hand_right"));
     std::string text =
@@ -317,7 +318,7 @@ TEST_F(WatchingServicesTest, ANewEpisodeStartsAfresh) {
   EXPECT_EQ(frames.back().index, 0);
   PutBy("round_peg_1",
         [&] { world_->stage().Seat("round_peg_1", "base.round_2"); });
-  const auto actions = watchers_->Sent<action_t>("ACTION");
+  const auto actions = watchers_->Sent<recognised_action_t>("ACTION");
   EXPECT_EQ(actions.back().index, 0);
   EXPECT_THAT(actions.back().arguments,
               ElementsAre("round_peg_1", "base.round_2"));
@@ -356,7 +357,8 @@ TEST_F(WatchingServicesTest, ALostKeyFrameLeavesNoPlacementUntold) {
     watchers_->Tick(std::pair{"EPISODE", end});
     RunFor(100);
     std::string told;
-    for (const action_t& action : watchers_->Sent<action_t>("ACTION")) {
+    for (const recognised_action_t& action :
+         watchers_->Sent<recognised_action_t>("ACTION")) {
       told += action.part + "\n";
     }
     for (const alert_t& alert : watchers_->Sent<alert_t>("ALERT")) {
@@ -395,19 +397,20 @@ TEST_F(WatchingServicesTest, RepeatedAndOldMessagesAreRejected) {
   Demonstrate();
   const auto frames = watchers_->Sent<key_frame_t>("KEY_FRAME");
   const auto tracks = watchers_->Sent<tracks_t>("TRACKS");
-  const size_t num_actions = watchers_->Sent<action_t>("ACTION").size();
+  const size_t num_actions =
+      watchers_->Sent<recognised_action_t>("ACTION").size();
   watchers_->Tick(std::pair{"KEY_FRAME", frames.back()},
                   std::pair{"TRACKS", tracks[tracks.size() - 2]});
   watchers_->Tick(std::pair{"KEY_FRAME", frames[3]});
   EXPECT_EQ(watchers_->NumRejected(), 3);
-  EXPECT_EQ(watchers_->Sent<action_t>("ACTION").size(), num_actions);
+  EXPECT_EQ(watchers_->Sent<recognised_action_t>("ACTION").size(), num_actions);
 }
 
 TEST_F(WatchingServicesTest, MidRunServicesStartWithoutAnEpisode) {
   RunFor(62);
   EXPECT_THAT(watchers_->Sent<key_frame_t>("KEY_FRAME"), SizeIs(1));
   EXPECT_THAT(watchers_->Sent<predicates_t>("PREDICATES"), SizeIs(1));
-  EXPECT_THAT(watchers_->Sent<action_t>("ACTION"), IsEmpty());
+  EXPECT_THAT(watchers_->Sent<recognised_action_t>("ACTION"), IsEmpty());
 }
 
 TEST(WatchingServices, GroundTruthIsReadByTheIdealTrackerOnly) {

@@ -113,6 +113,22 @@ TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
   EXPECT_THAT(Store(), IsEmpty()) << "another showing says nothing new";
 }
 
+TEST_F(LearningTest, WhatIsNamedIsRecognisedOfAllThatTheActionTakes) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  ASSERT_TRUE(learning_->Name("PlaceRoundPeg", false, actions_));
+  Store();
+  const auto wider = Seat("shaft", "base.shaft");
+  ASSERT_THAT(wider, SizeIs(1));
+  EXPECT_EQ(wider[0].name, "PlaceRoundPeg");
+  for (const ActionRecord& record : Store()) {
+    EXPECT_EQ(record.name, "PlaceRoundPeg") << "it is a showing of it";
+  }
+  const auto other = Seat("square_peg_1", "base.square_1");
+  ASSERT_THAT(other, SizeIs(1));
+  EXPECT_EQ(other[0].direction, ActionDirection::kUnknown);
+}
+
 TEST_F(LearningTest, ANameOfOtherArgumentsIsRefused) {
   EXPECT_THAT(learning_->Name("PlaceRoundPeg", false, actions_).reason(),
               HasSubstr("nothing was shown"));

@@ -285,6 +285,66 @@ TEST_F(RecognitionTest, OfTwoPartsMovedAsOneOnlyOneIsUnknown) {
   }
 }
 
+// Of a restarted service: the first frame shows the part in the hand.
+TEST_F(RecognitionTest, WhatItJoinsInTheMiddleOfIsCompletedByTheStream) {
+  stage_.Hold(kRight, "round_peg_1");
+  stage_.Lift("round_peg_1", 0.2);
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.LetGo(kRight, "round_peg_1");
+  EXPECT_THAT(Shown(See()),
+              ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
+}
+
+TEST_F(RecognitionTest, WhatItDidNotSeeBeginIsNotGivenAName) {
+  stage_.Hold(kRight, "round_peg_1");  // out of base.round_1, before it joins
+  stage_.Lift("round_peg_1", 0.2);
+  stage_.Hold(kLeft, "head");  // in its place already
+  stage_.Seat("head", "pendulum.head");
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.LetGo(kLeft, "head");
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.StandAt("round_peg_1", 0.3, -0.3);
+  EXPECT_THAT(See(), IsEmpty());
+  stage_.LetGo(kRight, "round_peg_1");
+  EXPECT_THAT(Shown(See()), ElementsAre("unknown"));
+}
+
+TEST_F(RecognitionTest, OneHandPlacesWhileTheOtherTakesBack) {
+  stage_.Seat("pendulum", "base.pendulum");
+  See();
+  stage_.Hold(kRight, "round_peg_1");
+  See();
+  stage_.Hold(kLeft, "pendulum");
+  stage_.Lift("round_peg_1", 0.2);
+  See();
+  stage_.StandAt("pendulum", 0, -0.4);
+  stage_.Seat("round_peg_1", "base.round_1");
+  See();
+  stage_.LetGo(kRight, "round_peg_1");
+  stage_.LetGo(kLeft, "pendulum");
+  const auto actions = See();
+  EXPECT_THAT(Shown(actions),
+              testing::UnorderedElementsAre(
+                  "forward PlaceRoundPeg round_peg_1 base.round_1",
+                  "reversed PlacePendulum pendulum"));
+  for (const RecognisedAction& action : actions) {
+    EXPECT_THAT(action.hands, SizeIs(1)) << action.part;
+  }
+}
+
+TEST_F(RecognitionTest, IsSureOfWhatAgreesAloneAndOfWhatAgreesWithNothing) {
+  const auto named =
+      Manipulate("shaft", [this] { stage_.Seat("shaft", "base.shaft"); });
+  ASSERT_THAT(named, SizeIs(1));
+  EXPECT_DOUBLE_EQ(named[0].confidence, 1);
+  const auto unknown = Manipulate(
+      "separator", [this] { stage_.StandAt("separator", 0.3, -0.3); });
+  ASSERT_THAT(unknown, SizeIs(1));
+  EXPECT_DOUBLE_EQ(unknown[0].confidence, 1);
+}
+
 TEST_F(RecognitionTest, HypothesesArePrunedAtThePickUp) {
   stage_.Seat("round_peg_1", "base.round_1");
   See();
@@ -349,9 +409,10 @@ class CountingLibrary final : public SecLibrary {
 
 TEST_F(RecognitionTest, TakesTheBestOfAnyLibraryAboveItsThreshold) {
   recognition_.Use(std::make_shared<const CountingLibrary>());
-  EXPECT_THAT(
-      Shown(Manipulate("head", [this] { stage_.StandAt("head", 0.3, -0.2); })),
-      ElementsAre("forward Moved head"));
+  const auto actions =
+      Manipulate("head", [this] { stage_.StandAt("head", 0.3, -0.2); });
+  EXPECT_THAT(Shown(actions), ElementsAre("forward Moved head"));
+  EXPECT_NEAR(actions[0].confidence, (0.8 + (0.8 - 0.6)) / 2, 1e-12);
 }
 
 TEST_F(RecognitionTest, WhatIsInAHandKeepsTheModelsOfItsPickUp) {

@@ -27,13 +27,16 @@ constexpr char kHead[] =
 Recording Walk(int num_frames) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
-  Recording recording{"blocks",
-                      "stack",
-                      7,
-                      "0.1",
-                      {"block", "hand.palm"},
-                      {},
-                      {{5, "Lift"}, {400, "Lower"}}};
+  Recording recording{
+      "blocks",
+      "stack",
+      7,
+      "0.1",
+      {"block", "hand.palm"},
+      {},
+      {{5, "Lift"}, {400, "Lower"}},
+      {{7, Recording::TrueAction::Kind::kPlaced, "block", "a.b"},
+       {400, Recording::TrueAction::Kind::kTipped, "block", ""}}};
   std::vector<std::optional<pose_t>> poses(2);
   for (int i = 0; i < num_frames; ++i) {
     const int moved = i % 3;
@@ -83,6 +86,7 @@ void ExpectSame(const Recording& a, const Recording& b, double tolerance) {
     EXPECT_EQ(a.spoken[i].utime, b.spoken[i].utime);
     EXPECT_EQ(a.spoken[i].name, b.spoken[i].name);
   }
+  EXPECT_EQ(a.truth, b.truth);
 }
 
 TEST(RecordingText, ComesBackAsItWentInBitForBit) {
@@ -104,6 +108,7 @@ TEST(RecordingText, ComesBackRoundedToTheDecimals) {
 TEST(RecordingText, WhatRestsTakesNoRow) {
   Recording recording = Walk(3);
   recording.spoken.clear();
+  recording.truth.clear();
   const size_t size = RecordingToText(recording, 5).size();
   recording.frames.push_back({10'000, recording.frames.back().poses});
   EXPECT_EQ(RecordingToText(recording, 5).size(),
@@ -150,6 +155,10 @@ TEST(RecordingText, ABadTextIsRefusedWithItsLineAndWhatWouldBeRight) {
       {"frame 1\n0 gone\n0 gone\n", "text:10: a second row of body 0"},
       {"said 1\n", "text:8: must read 'said UTIME NAME'"},
       {"said 2 A\nsaid 1 B\n", "text:9: said at 1, but the name before"},
+      {"truth 1 placed block\n", "text:8: must read 'truth UTIME placed"},
+      {"truth 1 moved block a.b\n", "text:8: must read 'truth UTIME placed"},
+      {"truth 1 eaten block\n", "text:8: must read 'truth UTIME placed"},
+      {"truth 2 moved a\ntruth 1 moved a\n", "text:9: truth at 1, but the"},
       {"frame 1\nend 2\n", "text:9: says that there are 2 frames"},
       {"end 0\nframe 1\n", "text:9: nothing may follow 'end'"}};
   for (const Broken& broken : cases) {

@@ -54,6 +54,28 @@ TEST(OtsuCut, IsZeroWithoutTwoGroups) {
   EXPECT_EQ(MeanFrom(0.3, {}), 0.3);
 }
 
+TEST(HighestCut, DividesAgainWhatIsTwoGroups) {
+  std::vector<double> similarities;
+  for (const double group : {0.3, 0.75, 0.97}) {
+    for (int i = 0; i < 20; ++i) similarities.push_back(group + 0.001 * i);
+  }
+  EXPECT_LT(OtsuCut(similarities), 0.75);
+  EXPECT_GT(HighestCut(similarities), 0.77);
+  EXPECT_LT(HighestCut(similarities), 0.97);
+}
+
+TEST(HighestCut, IsOtsusIfTheHighOnesAreOneGroup) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> low(0.3, 0.05), high(0.75, 0.07);
+  std::vector<double> similarities;
+  for (int i = 0; i < 300; ++i) {
+    similarities.push_back(low(random));
+    similarities.push_back(high(random));
+  }
+  EXPECT_DOUBLE_EQ(HighestCut(similarities), OtsuCut(similarities));
+  EXPECT_EQ(HighestCut({}), 0);
+}
+
 RelationMatrix Original() {
   return MatrixOf({"91119", "90109", "11011"});
 }

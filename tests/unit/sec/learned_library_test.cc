@@ -111,6 +111,37 @@ TEST_F(LearnedLibraryTest, WithoutPredicatesTheRelationsMustChange) {
   EXPECT_THAT(agreements_, IsEmpty());
 }
 
+/// Poses that cannot tell whether anything is seated.
+class NoisyLibraryTest : public LearnedLibraryTest {
+ protected:
+  Demonstration noisy_{[this](const ObservedManipulation& manipulation,
+                              const auto&) { Judge(manipulation); },
+                       {.position = 0.002}};
+};
+
+TEST_F(NoisyLibraryTest, RelationsDecideWhatPosesLeaveOpen) {
+  Learn();
+  noisy_.Seat("round_peg_1", "base.round_1");
+  EXPECT_THAT(agreements_,
+              ElementsAre(Pair("Insert base.round_1", DoubleEq(7.0 / 8))));
+  noisy_.Stand("round_peg_1", 0.2, -0.3);
+  EXPECT_THAT(agreements_,
+              ElementsAre(Pair("unInsert base.round_1", DoubleEq(7.0 / 8))));
+  noisy_.Stand("round_peg_1", 0.3, -0.3);
+  EXPECT_THAT(agreements_, IsEmpty());
+}
+
+// It touches the site's host before and after.
+TEST_F(NoisyLibraryTest, WithoutAChangeOfRelationsNothingIsDecided) {
+  Learn();
+  const Eigen::Isometry3d above(Eigen::Translation3d(0, 0, 0.002));
+  noisy_.stage().Seat("round_peg_1", "base.round_1");
+  noisy_.Manipulate("round_peg_1", [&] {
+    noisy_.stage().Seat("round_peg_1", "base.round_1", above);
+  });
+  EXPECT_THAT(agreements_, IsEmpty());
+}
+
 TEST_F(LearnedLibraryTest, OnlyWhatFitsTakesPart) {
   Learn();
   const LearnedLibrary library(entries_, show_.words());
@@ -128,6 +159,35 @@ TEST_F(LearnedLibraryTest, OnlyWhatFitsTakesPart) {
   EXPECT_THAT(library.models()[0]->RolesAtPickUp("head", before,
                                                  ActionDirection::kForward),
               IsEmpty());
+}
+
+/// A part of a type that the model was never shown with, in its role.
+TEST_F(LearnedLibraryTest, APartThatWasNeverShownIsTakenForTheRoleItPlays) {
+  const auto insert = [](const std::string& x, const std::string& y) {
+    return "{roles: {X: " + x + ", Y: " + y +
+           "}, moved: X,"
+           " pick: {touch: [table], apart: [Y],"
+           "        where: ['fits(X, Y)', 'not PegInHole(X, Y)']},"
+           " place: {touch: [Y], apart: [table], where: ['PegInHole(X, Y)']},"
+           " chain: {table: 10}, shown: {a: 1}}";
+  };
+  Learn("Insert", insert("shaft", "cylindrical_hole"));
+  show_.Seat("round_peg_1", "base.round_2");
+  EXPECT_THAT(agreements_,
+              ElementsAre(testing::Pair("Insert base.round_2", 1.0)));
+  const LearnedLibrary library(entries_, show_.words());
+  EXPECT_TRUE(library.models()[0]->HasStandIn({"round_peg_1", "base.round_2"}));
+  EXPECT_FALSE(library.models()[0]->HasStandIn({"shaft", "base.shaft"}));
+  show_.Seat("square_peg_1", "base.square_1");
+  EXPECT_THAT(agreements_, IsEmpty()) << "its hole plays no role";
+  show_.Seat("separator", "base.separator");
+  EXPECT_THAT(agreements_, IsEmpty()) << "it can be in no hole";
+  // Once it has an action of its own that changes the same, it stands in for
+  // none.
+  Learn("Plug", insert("round_peg", "round_hole"));
+  show_.Seat("round_peg_2", "base.round_1");
+  EXPECT_THAT(agreements_,
+              ElementsAre(testing::Pair("Plug base.round_1", 1.0)));
 }
 
 }  // namespace

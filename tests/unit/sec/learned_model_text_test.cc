@@ -54,6 +54,48 @@ TEST_F(LearnedModelText, IsReadAsTheModelItWasWrittenFrom) {
   EXPECT_EQ(Read(ToText(model, words_.vocabulary)), model);
 }
 
+TEST_F(LearnedModelText, KeepsWhatEachDemonstrationHasTaught) {
+  const std::string text = std::string(kText) +
+                           "\ntaught:\n"
+                           "  - by: {assembly 1: 2}\n"
+                           "    build: 0.1.0\n"
+                           "    types: [round_peg, round_hole]\n"
+                           "    pick:\n"
+                           "      touch: [table]\n"
+                           "      where: [\"not PegInHole(X, Y)\"]\n"
+                           "    place:\n"
+                           "      where: [\"PegInHole(X, Y)\"]\n"
+                           "    chain: {table: 10}\n"
+                           "  - by: {assembly 2: 1}\n"
+                           "    types: [shaft, shaft_hole]\n"
+                           "    pick:\n"
+                           "      touch: [table]\n"
+                           "    place:\n"
+                           "      apart: [table]\n"
+                           "    chain: {table: 10}";
+  const LearnedModel model = Read(text);
+  ASSERT_EQ(model.taught.size(), 2u);
+  EXPECT_EQ(model.taught[0].build, "0.1.0");
+  EXPECT_EQ(ToText(model, words_.vocabulary), text);
+  const auto error_with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    const size_t at = changed.rfind(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    try {
+      Read(changed.replace(at, from.size(), to));
+    } catch (const ConfigError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(error_with("assembly 2: 1", "assembly 2: 5"),
+              HasSubstr("m.yaml:taught: is not of the demonstrations"));
+  EXPECT_THAT(error_with("shaft, shaft_hole", "shaft"),
+              HasSubstr("taught[1].types: needs one type for each role"));
+  EXPECT_THAT(error_with("shaft, shaft_hole", "shaft, well"),
+              HasSubstr("there is no type 'well'"));
+}
+
 TEST_F(LearnedModelText, IsReadStrictly) {
   EXPECT_EQ(ErrorWith("moved: X", "moved: X"), "");
   EXPECT_THAT(ErrorWith("cylindrical_hole", "well"),
@@ -101,12 +143,24 @@ TEST_F(LearnedModelText, FitsTheArgumentsOfAnActionInTheirOrder) {
   const auto fitted = FitToArguments(model, arguments, types);
   ASSERT_TRUE(fitted) << fitted.reason();
   EXPECT_THAT(ToText(*fitted, words_.vocabulary),
-              HasSubstr("roles: {H: cylindrical_hole, P: cylindrical_peg}\n"
+              HasSubstr("roles: {H: hole, P: peg}\n"
                         "moved: P\n"));
   EXPECT_THAT(ToText(*fitted, words_.vocabulary), HasSubstr("PegInHole(P, H)"));
   EXPECT_THAT(FitToArguments(model, {arguments.data(), 1}, types).reason(),
               HasSubstr("(cylindrical_peg, cylindrical_hole), but takes "
                         "(hole)"));
+}
+
+TEST_F(LearnedModelText, WhatIsFittedTakesAllThatTheActionTakes) {
+  const auto& types = words_.vocabulary.types();
+  LearnedModel model;
+  model.roles = {{"X", *types.Find("shaft")}, {"Y", *types.Find("shaft_hole")}};
+  const std::vector<Variable> arguments = {
+      {"H", *types.Find("hole")}, {"P", *types.Find("cylindrical_peg")}};
+  const auto fitted = FitToArguments(model, arguments, types);
+  ASSERT_TRUE(fitted) << fitted.reason();
+  EXPECT_EQ(fitted->roles, arguments);
+  EXPECT_EQ(fitted->moved, 1u);
 }
 
 TEST_F(LearnedModelText, TheNarrowestCommonTypeIsFound) {

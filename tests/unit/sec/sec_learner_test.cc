@@ -47,10 +47,11 @@ class SecLearnerTest : public testing::Test {
     return names;
   }
 
+  std::string source_ = "test 1";
   std::optional<SecLearner::Lesson> last_;
   Demonstration show_{
       [this](const ObservedManipulation& manipulation, const auto&) {
-        last_ = learner_.Add(manipulation, "test 1");
+        last_ = learner_.Add(manipulation, source_, "1.0");
       }};
   SecLearner learner_ = New();
 };
@@ -60,7 +61,8 @@ TEST_F(SecLearnerTest, OneShowingSaysWhatChanges) {
   Name("Insert");
   const LearnedModel model = ModelOf("Insert");
   EXPECT_EQ(model.NumShown(), 1);
-  const std::string text = TextOf("Insert");
+  const std::string all = TextOf("Insert");
+  const std::string text = all.substr(0, all.find("taught"));
   EXPECT_THAT(text, HasSubstr("roles: {X: round_peg, Y: round_hole}"));
   EXPECT_THAT(text, HasSubstr("fits(X, Y)"));
   EXPECT_THAT(text, HasSubstr("not PegInHole(X, Y)"));
@@ -175,12 +177,119 @@ TEST_F(SecLearnerTest, TheOrderOfTheShowingsDoesNotMatter) {
       std::string kept;
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("chain")) kept += line + "\n";
+        if (line.find("chain:") == std::string::npos) kept += line + "\n";
       }
       return kept;
     };
     EXPECT_EQ(without_chains(all), without_chains(first)) << turn;
   }
+}
+
+/// Whatever else has been shown: without it, the models are those of a learner
+/// who has never seen it.
+TEST_F(SecLearnerTest, ADemonstrationThatIsTakenBackHasTaughtNothing) {
+  const auto seat = [this](const char* part, const char* site,
+                           const char* name) {
+    const Eigen::Isometry3d X_WO = show_.stage().PoseOf(part);
+    show_.Seat(part, site);
+    Name(name);
+    show_.Manipulate(part, [&] { show_.stage().Put(part, X_WO); });
+  };
+  const std::vector<std::function<void()>> demonstrations = {
+      [&] { seat("round_peg_1", "base.round_1", "Insert"); },
+      [&] {
+        seat("shaft", "base.shaft", "Insert");
+        seat("separator", "base.separator", "Separate");
+      },
+      [&] {
+        seat("round_peg_2", "base.round_2", "Insert");
+        seat("round_peg_1", "base.round_2", "Insert");
+      }};
+  const auto learned_from = [&](const std::vector<size_t>& which) {
+    learner_ = New();
+    for (const size_t i : which) {
+      source_ = "demonstration " + std::to_string(i);
+      demonstrations[i]();
+    }
+  };
+  const auto all = [&] {
+    std::string text;
+    for (const auto& action : learner_.Actions()) {
+      text += action.name + ":\n" + TextOf(action.name) + "\n";
+    }
+    return text;
+  };
+  for (size_t bad = 0; bad < demonstrations.size(); ++bad) {
+    std::vector<size_t> good;
+    for (size_t i = 0; i < demonstrations.size(); ++i) {
+      if (i != bad) good.push_back(i);
+    }
+    learned_from(good);
+    const std::string expected = all();
+    learned_from({0, 1, 2});
+    const std::string before = all();
+    const auto names =
+        learner_.TakeBack("demonstration " + std::to_string(bad));
+    ASSERT_TRUE(names) << names.reason();
+    EXPECT_EQ(names->size(), bad == 1 ? 2u : 1u);
+    EXPECT_NE(before, expected);
+    EXPECT_EQ(all(), expected) << "without " << bad;
+  }
+  const std::string before = all();
+  EXPECT_THAT(learner_.TakeBack("demonstration 9").reason(),
+              HasSubstr("has taught nothing"));
+  EXPECT_EQ(all(), before);
+}
+
+TEST_F(SecLearnerTest, WhatCannotBeToldFromOthersIsNotTakenBack) {
+  show_.Seat("round_peg_1", "base.round_2");
+  Name("Insert");
+  LearnedModel model = ModelOf("Insert");
+  model.taught.clear();  // as an older build has kept it
+  model.shown = {{"a 1", 1}, {"b 2", 1}};
+  learner_ = New();
+  learner_.Know("Insert", model);
+  EXPECT_THAT(learner_.TakeBack("a 1").reason(),
+              HasSubstr("what 'a 1' has taught Insert is only known together "
+                        "with: b 2"));
+  EXPECT_THAT(Names(), ElementsAre("Insert"));
+}
+
+TEST_F(SecLearnerTest, MergesActionsThatShareAChange) {
+  show_.Seat("round_peg_1", "base.round_2");
+  show_.Seat("shaft", "base.shaft");
+  show_.Seat("separator", "base.separator");
+  EXPECT_THAT(learner_.Merge("Action1", "Action3").reason(),
+              HasSubstr("does not change what Action3 changes"));
+  const auto merged = learner_.Merge("Action2", "Action1");
+  EXPECT_TRUE(merged) << merged.reason();
+  EXPECT_THAT(Names(), ElementsAre("Action1", "Action3"));
+  EXPECT_THAT(TextOf("Action1"),
+              HasSubstr("roles: {X: cylindrical_peg, Y: cylindrical_hole}"));
+  EXPECT_EQ(ModelOf("Action1").NumShown(), 2);
+}
+
+TEST_F(SecLearnerTest, AForgottenActionIsNewWhenItIsShownAgain) {
+  show_.Seat("round_peg_1", "base.round_2");
+  learner_.Forget("Action1");
+  EXPECT_THAT(learner_.Actions(), IsEmpty());
+  EXPECT_THAT(learner_.Name(*last_, "Insert", false).reason(),
+              HasSubstr("has been taken back"));
+  show_.Seat("round_peg_2", "base.round_1");
+  EXPECT_TRUE(last_->is_new);
+  EXPECT_THAT(Names(), ElementsAre("Action2"));
+}
+
+TEST_F(SecLearnerTest, KeepsSoManyDemonstrationsApartAndTheirCommonFactsThen) {
+  for (int i = 0; i < 20; ++i) {
+    source_ = "test " + std::to_string(i);
+    show_.Seat("separator", "base.separator");
+    show_.Stand("separator", 0.2, -0.3);
+  }
+  const LearnedModel model = ModelOf("Action1");
+  EXPECT_EQ(model.taught.size(), ShowingGroup::kMaxTaught);
+  EXPECT_EQ(model.NumShown(), 40);
+  EXPECT_EQ(model.taught.front().shown.size(), 5u);
 }
 
 TEST_F(SecLearnerTest, GoesOnFromWhatItKnows) {

@@ -15,14 +15,15 @@ namespace cell {
 /// Shows manipulations of the shipped task to an observer, who knows nothing.
 class Demonstration {
  public:
-  explicit Demonstration(recognizer::Recognition::Observer observer)
+  explicit Demonstration(recognizer::Recognition::Observer observer,
+                         const PoseUncertainty& uncertainty = {})
       : words_(std::make_shared<const SceneWords>(
             SceneWords{task_.domain.vocabulary(), task_.parts})),
         stage_(task_),
         recognition_(task_.scene_objects, task_.parts,
                      std::make_shared<const LearnedLibrary>(
                          std::vector<LearnedLibrary::Entry>{}, words_),
-                     task_.MakeSensor(), {}) {
+                     task_.MakeSensor(uncertainty), {}) {
     recognition_.SetObserver(std::move(observer));
   }
 

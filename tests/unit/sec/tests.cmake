@@ -11,3 +11,4 @@ cell_add_test(unit/sec/learned_model_text_test.cc LINK cell_sec cell_task cell_t
 cell_add_test(unit/sec/role_matching_test.cc LINK cell_sec)
 cell_add_test(unit/sec/sec_learner_test.cc LINK cell_recognizer cell_task cell_tracker)
 cell_add_test(unit/sec/learned_library_test.cc LINK cell_recognizer cell_task cell_tracker)
+cell_add_test(unit/sec/role_similarity_test.cc LINK cell_recognizer cell_task cell_tracker)

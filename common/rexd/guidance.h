@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/rexd/rexd_task.h"
+
+namespace cell::rexd {
+
+/// Why the learner has no plan, told to the teacher (section VI-B1). Literals
+/// are ground: they are what would have to hold.
+struct Guidance {
+  /// An action that the goal rests on, and what keeps it from being done.
+  struct BlockedAct {
+    rules::GroundAct act;
+    rules::Literal needs;
+  };
+  std::vector<rules::Literal> missing_effects;
+  std::vector<BlockedAct> blocked_acts;  ///< possible wrong preconditions
+  /// What can be done meanwhile, each by itself.
+  std::vector<rules::Literal> subgoals;
+
+  bool empty() const { return missing_effects.empty() && blocked_acts.empty(); }
+};
+
+/// From the smallest excuses of the state; empty if there is a way to the goal,
+/// or if none was found within the limits.
+/// @param acts  the actions that are known
+Guidance FindGuidance(const rules::NdrRules& rules, const RexdTask& task,
+                      const rules::WorldState& state,
+                      const std::vector<rules::GroundAct>& acts);
+
+/// A sentence for each reason: "I know no action after which
+/// swingPlaced(swing)."
+std::string ToText(const Guidance& guidance, const rules::World& world);
+
+}  // namespace cell::rexd

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "services/cell/commands/commands.h"
+
+namespace cell::cli {
+
+/// Adds `stream` and `groups` to the subcommands of `cell eval`.
+void AddEvalShown(CLI::App& eval, Action* action);
+
+}  // namespace cell::cli

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/actions/action_model_reader.h"
+#include "common/node/cell_files.h"
+#include "common/sec/chain_similarities.h"
+#include "common/sec/role_similarity.h"
+#include "common/sec/sec_learner.h"
+#include "common/task/task.h"
+#include "services/cell/commands/library_commands.h"
+#include "services/cell/commands/sec_commands.h"
+#include "services/cell/running/task_variant.h"
+#include "services/library/sqlite_action_store.h"
+
+namespace cell::cli {
+namespace {
+
+struct SimilarOptions {
+  std::string database;
+  std::string deploy_dir;
+  std::string variant;
+  double threshold = SecLearner::Params{}.threshold;
+};
+
+/// Of a library, or else those that the task comes with.
+RoleSimilarity::Models ModelsOf(const SimilarOptions& options,
+                                const Task& task) {
+  RoleSimilarity::Models models;
+  if (options.database.empty()) {
+    for (const ActionModel& model : task.actions) {
+      if (model.sec) models.emplace(model.action.name, *model.sec);
+    }
+    return models;
+  }
+  const library::SqliteActionStore store(
+      LibraryFile(options.database),
+      library::SqliteActionStore::Mode::kExisting);
+  for (ActionRecord record : store.All()) {
+    record.undoes.clear();  // it may undo one that only the library knows
+    const ActionModel model = ReadActionModel(record, task.domain, task.parts);
+    if (model.sec) models.emplace(record.name, *model.sec);
+  }
+  return models;
+}
+
+/// "name  1.00  0.30 ...", the columns in the order of the rows; and what is
+/// alike.
+void PrintMatrix(const std::string& title, std::span<const std::string> names,
+                 const std::vector<std::vector<double>>& similarities,
+                 double threshold) {
+  std::cout << title << ":\n";
+  for (size_t i = 0; i < names.size(); ++i) {
+    std::cout << fmt::format("  {:>2} {:20}", i + 1, names[i]);
+    for (const double similarity : similarities[i]) {
+      std::cout << fmt::format(" {:5.2f}", similarity);
+    }
+    std::cout << "\n";
+  }
+  for (const auto& group : GroupsOf(similarities, threshold)) {
+    if (group.size() < 2) continue;
+    std::vector<std::string> members;
+    for (const size_t i : group) members.push_back(names[i]);
+    std::cout << fmt::format("  alike: {}\n", fmt::join(members, ", "));
+  }
+}
+
+int Similar(const SimilarOptions& options) {
+  Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
+  std::optional<VariedTask> varied;
+  if (!options.variant.empty()) {
+    deployment = varied.emplace(deployment, options.variant).deployment();
+  }
+  const Task task = LoadTask(deployment);
+  const SceneWords words{task.domain.vocabulary(), task.parts};
+  const auto models = ModelsOf(options, task);
+  if (models.empty()) {
+    throw std::runtime_error("no action has been learned; cell learn sec");
+  }
+  const auto chains = MakeChainSimilarity(SecLearner::kMeasure);
+  const RoleSimilarity roles(models, words, *chains);
+  std::vector<std::string> names;
+  for (const auto& [name, model] : models) names.push_back(name);
+  PrintMatrix("actions", names, roles.OfActions(), options.threshold);
+  PrintMatrix("objects, by the roles that they play", roles.Types(),
+              roles.OfTypes(), options.threshold);
+  for (const auto& [object, action] : roles.AllStandIns()) {
+    std::cout << fmt::format(
+        "{} was never shown, but can stand in for the moved part of {}\n",
+        object, action);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void AddSecSimilar(CLI::App& sec, Action* action) {
+  auto options = std::make_shared<SimilarOptions>();
+  CLI::App* command = sec.add_subcommand(
+      "similar",
+      "Show what can stand in for what: how alike the actions are that were "
+      "learned, and the objects by the roles that they play in them.\n"
+      "Example: cell sec similar --database runs/demo-0001");
+  command->add_option("--database", options->database,
+                      "a library's file, or a run folder that has one "
+                      "(default: the models that the task comes with)");
+  command->add_option("--deploy", options->deploy_dir,
+                      "folder with config/ and tasks/");
+  command->add_option("--variant", options->variant,
+                      "change the task as its variants/NAME.yaml says");
+  command
+      ->add_option("--threshold", options->threshold,
+                   "the least similarity of what is alike")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->callback([=] {
+    *action = [=] {
+      return Similar(*options);
+    };
+  });
+}
+
+}  // namespace cell::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace cell::cli {
+
+/// The runs of one success rate. A row has the lists actions, demonstrations,
+/// explorations, reached and dead_ends with a number for each episode; states
+/// and valid of the frozen rules; probabilities by action [p, experiences].
+struct RexdGroup {
+  double success = 1;
+  std::vector<nlohmann::json> rows;
+};
+
+struct MeanAndSd {
+  double mean = 0;
+  double sd = 0;
+};
+
+/// Of a count, summed over the episodes from `first` to `last` of each row.
+MeanAndSd SummariseCount(const RexdGroup& group, const std::string& count,
+                         int first, int last);
+
+/// The table of Fig. 17, for people and as CSV.
+std::string RexdText(const RexdGroup& group, int num_episodes, double floor);
+std::string RexdCsv(const std::vector<RexdGroup>& groups, int num_episodes);
+
+/// Commands of gnuplot that draw the CSV as Fig. 17, with error bars of one
+/// standard deviation.
+std::string RexdPlot(const std::vector<RexdGroup>& groups, int num_episodes,
+                     const std::string& csv, const std::string& png);
+
+/// What the paper's text says about Fig. 17.
+struct RexdStatement {
+  std::string text;   ///< of the paper, in short
+  std::string found;  ///< the values
+  bool is_true = false;
+};
+/// @param floor  actions of the shortest way to the goal without a failure
+std::vector<RexdStatement> CheckRexdStatements(
+    const std::vector<RexdGroup>& groups, int num_episodes, double floor);
+
+}  // namespace cell::cli

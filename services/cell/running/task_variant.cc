@@ -1,0 +1,115 @@
+#include "services/cell/running/task_variant.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <stdlib.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/files/draft.h"
+#include "common/recordings/recording_file.h"
+
+namespace cell::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kExtension[] = ".yaml";
+
+YAML::Node Load(const fs::path& file) {
+  try {
+    return YAML::LoadFile(file.string());
+  } catch (const YAML::Exception& e) {
+    throw ConfigError(file.string() + ": " + e.what());
+  }
+}
+
+/// @param where  of `change`, for errors
+void Merge(const YAML::Node& change, const std::string& where,
+           YAML::Node node) {
+  for (const auto& entry : change) {
+    const auto key = entry.first.as<std::string>();
+    if (entry.second.IsNull()) {
+      if (!node.remove(key)) {
+        throw ConfigError(where + ":" + key +
+                          ": would be removed, but is not there");
+      }
+    } else if (entry.second.IsMap() && node[key] && node[key].IsMap()) {
+      Merge(entry.second, where + ":" + key, node[key]);
+    } else {
+      node[key] = entry.second;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> VariantsOf(const fs::path& task_dir) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(task_dir / kVariantsFolder)) return names;
+  for (const auto& entry : fs::directory_iterator(task_dir / kVariantsFolder)) {
+    if (entry.path().extension() != kExtension) continue;
+    names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void ApplyVariant(const fs::path& task_dir, const std::string& name) {
+  const auto known = VariantsOf(task_dir);
+  if (!std::ranges::binary_search(known, name)) {
+    throw std::runtime_error(
+        fmt::format("{}: the task has no variant '{}'; known: {}",
+                    task_dir.string(), name, fmt::join(known, ", ")));
+  }
+  const fs::path variant = task_dir / kVariantsFolder / (name + kExtension);
+  const YAML::Node changes = Load(variant);
+  if (!changes.IsMap()) {
+    throw ConfigError(variant.string() + ": should be a map from files");
+  }
+  for (const auto& entry : changes) {
+    const auto file = entry.first.as<std::string>();
+    const std::string where = variant.string() + ":" + file;
+    if (!fs::is_regular_file(task_dir / file)) {
+      throw ConfigError(where + ": the task has no such file");
+    }
+    if (!entry.second.IsMap()) throw ConfigError(where + ": should be a map");
+    const YAML::Node content = Load(task_dir / file);
+    Merge(entry.second, where, content);
+    WriteFile(task_dir / file, YAML::Dump(content) + "\n");
+  }
+}
+
+VariedTask::VariedTask(const Deployment& source, const std::string& variant)
+    : deployment_(source) {
+  std::string folder =
+      (fs::temp_directory_path() / "cell-task-XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr) {
+    throw std::runtime_error(folder + ": cannot be created");
+  }
+  folder_ = folder;
+  const fs::path task = (source.task_dir / "").parent_path().filename();
+  deployment_.task_dir = folder_ / task;
+  try {
+    fs::create_directory(deployment_.task_dir);
+    for (const auto& entry : fs::directory_iterator(source.task_dir)) {
+      const fs::path name = entry.path().filename();
+      if (name == kRecordingsFolder) continue;
+      fs::copy(entry.path(), deployment_.task_dir / name,
+               fs::copy_options::recursive);
+    }
+    ApplyVariant(deployment_.task_dir, variant);
+  } catch (...) {
+    fs::remove_all(folder_);
+    throw;
+  }
+}
+
+VariedTask::~VariedTask() {
+  std::error_code error;  // what remains is in the folder for temporary files
+  fs::remove_all(folder_, error);
+}
+
+}  // namespace cell::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/config/deployment.h"
+
+namespace cell::cli {
+
+/// Changes of a task that a run can ask for: TASK/variants/NAME.yaml, a map
+/// from each file of the task that differs to what differs in it. Maps are
+/// merged key by key, `~` removes a key, and anything else replaces what is
+/// there. E.g.
+///
+///   domain.yaml: {types: {long_bolt: bolt}}
+///   parts.yaml: {parts: {bolt_1: {type: long_bolt, ...}}}
+inline constexpr char kVariantsFolder[] = "variants";
+
+/// The names of a task's variants, sorted.
+std::vector<std::string> VariantsOf(const std::filesystem::path& task_dir);
+
+/// Changes the files of a task's folder. @throws ConfigError naming the file
+/// and key; std::runtime_error naming the variants if there is none of the
+/// name.
+void ApplyVariant(const std::filesystem::path& task_dir,
+                  const std::string& name);
+
+/// A copy of a task's folder, changed by a variant, as long as this object
+/// exists.
+class VariedTask {
+ public:
+  /// @throws like ApplyVariant().
+  VariedTask(const Deployment& source, const std::string& variant);
+  ~VariedTask();
+  VariedTask(const VariedTask&) = delete;
+  VariedTask& operator=(const VariedTask&) = delete;
+
+  const Deployment& deployment() const { return deployment_; }
+
+ private:
+  std::filesystem::path folder_;
+  Deployment deployment_;
+};
+
+}  // namespace cell::cli

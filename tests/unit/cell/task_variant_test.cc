@@ -1,0 +1,81 @@
+#include "services/cell/running/task_variant.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "common/task/task.h"
+#include "tests/unit/changed_deployment.h"
+#include "tests/unit/stage_testing.h"
+
+namespace cell {
+
+using namespace cli;
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class TaskVariant : public testing::Test {
+ protected:
+  void Write(const std::string& name, const std::string& text) const {
+    const fs::path folder = task_.get().task_dir / kVariantsFolder;
+    fs::create_directories(folder);
+    std::ofstream(folder / (name + ".yaml")) << text;
+  }
+  std::string Complaint(const std::string& name) const {
+    try {
+      ApplyVariant(task_.get().task_dir, name);
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  const ChangedDeployment task_{ShippedDeployment()};
+};
+
+TEST_F(TaskVariant, MergesMapsAndRemovesAndReplacesKeys) {
+  Write("a",
+        "domain.yaml:\n"
+        "  types: {cone: movable}\n"
+        "  goals: {round_pegs: ~, one: [Horizontal(shaft)]}\n");
+  const Domain before = LoadTask(task_.get()).domain;
+  {
+    const VariedTask varied(task_.get(), "a");
+    const Domain after = LoadTask(varied.deployment()).domain;
+    EXPECT_TRUE(after.vocabulary().types().Find("cone"));
+    EXPECT_TRUE(after.vocabulary().types().Find("shaft"));
+    EXPECT_EQ(after.FindGoal("round_pegs"), nullptr);
+    EXPECT_NE(after.FindGoal("one"), nullptr);
+    EXPECT_NE(after.FindGoal("assembled"), nullptr);
+  }
+  EXPECT_NE(LoadTask(task_.get()).domain.FindGoal("round_pegs"), nullptr)
+      << "the task itself stays as it is";
+}
+
+TEST_F(TaskVariant, WhatMakesNoSenseIsNamed) {
+  fs::remove_all(task_.get().task_dir / kVariantsFolder);
+  Write("a", "domain.yaml: {goals: {none: ~}}");
+  Write("b", "recipe.yaml: {x: 1}");
+  Write("c", "domain.yaml: 3");
+  EXPECT_THAT(VariantsOf(task_.get().task_dir), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(Complaint("a"), HasSubstr("a.yaml:domain.yaml:goals:none: would "
+                                        "be removed, but is not there"));
+  EXPECT_THAT(Complaint("b"),
+              HasSubstr("b.yaml:recipe.yaml: the task has no such file"));
+  EXPECT_THAT(Complaint("c"), HasSubstr("c.yaml:domain.yaml: should be a map"));
+  EXPECT_THAT(Complaint("d"), HasSubstr("no variant 'd'; known: a, b, c"));
+}
+
+TEST_F(TaskVariant, EachThatIsShippedLoads) {
+  for (const std::string& name : VariantsOf(ShippedDeployment().task_dir)) {
+    const VariedTask varied(ShippedDeployment(), name);
+    EXPECT_NO_THROW(LoadTask(varied.deployment())) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cell
