@@ -72,18 +72,21 @@ std::optional<GroundAct> RexD::PlanBy(const NdrRules& rules,
                                       const RexdTask& task,
                                       const WorldState& state) const {
   std::vector<GroundAct> acts = KnownActs();
-  std::erase_if(acts,
-                [&](const GroundAct& act) { return IsDangerous(act, state); });
-  const auto model = std::make_shared<RuleModel>(rules, task, std::move(acts));
-  planning::Planner::Params params;
-  params.max_expansions = params_.max_expansions;
-  params.precision = 1e-3;
-  planning::Planner planner(model, params);
-  const planning::Plan plan = planner.Find(model->Pack(state));
-  if (plan.status != planning::Plan::Status::kFound || plan.course.empty()) {
-    return std::nullopt;
+  while (true) {
+    const auto model = std::make_shared<RuleModel>(rules, task, acts);
+    planning::Planner::Params params;
+    params.max_expansions = params_.max_expansions;
+    params.precision = 1e-3;
+    planning::Planner planner(model, params);
+    const planning::Plan plan = planner.Find(model->Pack(state));
+    if (plan.status != planning::Plan::Status::kFound || plan.course.empty()) {
+      return std::nullopt;
+    }
+    const GroundAct first =
+        model->acts()[static_cast<size_t>(plan.course[0].action)];
+    if (!IsDangerous(first, state)) return first;
+    std::erase(acts, first);
   }
-  return model->acts()[static_cast<size_t>(plan.course[0].action)];
 }
 
 std::optional<GroundAct> RexD::Plan(const WorldState& state) {
@@ -216,7 +219,8 @@ const Experience& RexD::CauseOfDeadEnd() const {
 
 void RexD::RememberDeadEnd() {
   if (!last_) return;
-  dead_ends_.push_back(CauseOfDeadEnd());
+  const Experience& cause = CauseOfDeadEnd();
+  dead_ends_.push_back({cause, IsUnheardOf(cause)});
   last_.reset();
 }
 
@@ -232,11 +236,39 @@ bool RexD::HasWayOn(const WorldState& state) const {
          status == planning::Plan::Status::kGoalReached;
 }
 
+bool RexD::IsUnheardOf(const Experience& experience) const {
+  const World& world = *task_.world;
+  const auto has_effect = [&](const Experience& e, int symbol, bool truth) {
+    for (int i = 0; i < world.num_places(symbol); ++i) {
+      const int place = world.first(symbol) + i;
+      if (World::Get(e.after, place) != World::Get(e.before, place) &&
+          World::Get(e.after, place) == truth) {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
+    const int symbol = static_cast<int>(s);
+    if (world.symbols()[symbol].kind != Symbol::Kind::kPrimitive ||
+        world.symbols()[symbol].is_integer) {
+      continue;
+    }
+    for (const bool truth : {false, true}) {
+      const auto count = std::ranges::count_if(
+          experiences_,
+          [&](const auto& e) { return has_effect(e, symbol, truth); });
+      if (count == 1 && has_effect(experience, symbol, truth)) return true;
+    }
+  }
+  return false;
+}
+
 bool RexD::IsDangerous(const GroundAct& act, const WorldState& state) const {
-  return std::ranges::any_of(dead_ends_, [&](const Experience& e) {
-    if (e.act.action != act.action) return false;
-    const WorldState after = Transfer(e, act, state);
-    return after != state && !HasWayOn(after);
+  return std::ranges::any_of(dead_ends_, [&](const DeadEnd& dead_end) {
+    if (dead_end.cause.act.action != act.action) return false;
+    const WorldState after = Transfer(dead_end.cause, act, state);
+    return after != state && (dead_end.is_unheard_of || !HasWayOn(after));
   });
 }
 

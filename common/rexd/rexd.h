@@ -69,6 +69,13 @@ class RexD {
   std::optional<rules::GroundAct> Plan(const rules::WorldState& state);
 
  private:
+  struct DeadEnd {
+    rules::Experience cause;
+    /// It changed something as no other experience had: what the rules expect
+    /// afterwards says nothing.
+    bool is_unheard_of = false;
+  };
+
   std::optional<rules::GroundAct> PlanBy(const rules::NdrRules& rules,
                                          const RexdTask& task,
                                          const rules::WorldState& state) const;
@@ -83,6 +90,7 @@ class RexD {
   rules::WorldState Transfer(const rules::Experience& experience,
                              const rules::GroundAct& act,
                              rules::WorldState state) const;
+  bool IsUnheardOf(const rules::Experience& experience) const;
   bool IsDangerous(const rules::GroundAct& act,
                    const rules::WorldState& state) const;
   std::optional<rules::GroundAct> LeastTried(const rules::WorldState& state);
@@ -110,7 +118,7 @@ class RexD {
   double p_at_first_ = 0;  // that it would change anything, at the first
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
-  std::vector<rules::Experience> dead_ends_;  // that led there
+  std::vector<DeadEnd> dead_ends_;
   int num_alternatives_ = 0;  // tried since the last demonstration
 };
 
