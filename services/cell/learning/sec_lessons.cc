@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -36,6 +37,8 @@ class Lesson {
         names_(names),
         tracks_(recording, task.scene_objects, task.layout, {}),
         builder_(sec_builder::KeyFrameBuilder::Params::Load(deployment, task)),
+        lag_frames_(LagOf(
+            sec_builder::KeyFrameBuilder::Params::Load(deployment, task))),
         recognition_(task.scene_objects, task.parts,
                      std::make_shared<const LearnedLibrary>(
                          std::vector<LearnedLibrary::Entry>{},
@@ -54,7 +57,11 @@ class Lesson {
 
   void Attend() {
     while (const auto tracks = tracks_.Next()) {
-      Listen(tracks->utime);
+      seen_.push_back(tracks->utime);
+      if (seen_.size() > lag_frames_) {
+        Listen(seen_.front());
+        seen_.pop_front();
+      }
       for (const KeyFrame& frame : builder_.Update(*tracks)) {
         recognition_.Update(frame);
       }
@@ -69,6 +76,13 @@ class Lesson {
     SensedFrame before, after;
     EventChain chain;
   };
+
+  /// Key frames come so much later than the tracks.
+  static size_t LagOf(const sec_builder::KeyFrameBuilder::Params& params) {
+    return params.smoother.position_sd > 0
+               ? static_cast<size_t>(params.smoother.lag_frames)
+               : 0;
+  }
 
   /// What is said before `utime` names what was shown before it.
   void Listen(int64_t utime) {
@@ -93,7 +107,8 @@ class Lesson {
     last_.reset();
     if (!shown_) return;
     last_ = learner_.Add(
-        {shown_->part, shown_->before, shown_->after, shown_->chain}, source_);
+        {shown_->part, shown_->before, shown_->after, shown_->chain}, source_,
+        recording_.build);
   }
 
   [[noreturn]] void Fail(const Recording::SpokenName& said,
@@ -110,6 +125,8 @@ class Lesson {
   std::optional<Shown> shown_;
   RecordedTracks tracks_;
   sec_builder::KeyFrameBuilder builder_;
+  size_t lag_frames_;
+  std::deque<int64_t> seen_;  // times of the tracks not listened to yet
   recognizer::Recognition recognition_;
   std::optional<SecLearner::Lesson> last_;
   size_t num_heard_ = 0;

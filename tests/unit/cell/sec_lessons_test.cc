@@ -10,6 +10,7 @@
 #include "common/actions/sec_models.h"
 #include "common/recordings/recording_file.h"
 #include "services/cell/learning/speaker.h"
+#include "tests/test_folder.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -43,6 +44,27 @@ TEST(SecLessons, TheShippedModelsAreLearnedFromTheShippedRecordings) {
   for (const SecLearner::Action& action : lessons.Actions()) {
     EXPECT_TRUE(action.is_named) << action.name;
   }
+}
+
+// A smoother gives key frames out later than the tracks that names refer to.
+TEST(SecLessons, NamesMeanWhatWasShownAlsoWhenPosesAreSmoothed) {
+  Deployment smoothed = ShippedDeployment();
+  const auto config_dir = NewTestFolder();
+  std::filesystem::copy(smoothed.config_dir, config_dir,
+                        std::filesystem::copy_options::recursive);
+  std::stringstream text;
+  text << std::ifstream(config_dir / "sec_builder.yaml").rdbuf();
+  std::string yaml = text.str();
+  const std::string key = "pose_noise_mm: 0";
+  yaml.replace(yaml.find(key), key.size(), "pose_noise_mm: 1");
+  std::ofstream(config_dir / "sec_builder.yaml") << yaml;
+  smoothed.config_dir = config_dir;
+  SecLessons lessons(smoothed);
+  for (const Recording& recording : ShippedRecordings()) {
+    lessons.Attend(recording);
+  }
+  EXPECT_THAT(lessons.Models(), SizeIs(7));
+  std::filesystem::remove_all(config_dir);
 }
 
 TEST(SecLessons, AFirstShowingIsAllThatIsLearnedOfAName) {
