@@ -2,13 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
-#include "common/planning/planner.h"
 #include "common/rexd/rule_alternatives.h"
 
 namespace cell::rexd {
 
 using namespace rules;
+namespace {
+
+/// A predicate that becomes true or false, of whatever objects.
+using Effect = std::pair<int, bool>;
+
+/// Calls visit(symbol, place, truth afterwards) for each atom that changed.
+template <class Visit>
+void ForEachChange(const Experience& experience, const World& world,
+                   Visit visit) {
+  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
+    const int symbol = static_cast<int>(s);
+    if (world.symbols()[symbol].kind != Symbol::Kind::kPrimitive ||
+        world.symbols()[symbol].is_integer) {
+      continue;
+    }
+    for (int i = 0; i < world.num_places(symbol); ++i) {
+      const int place = world.first(symbol) + i;
+      const bool after = World::Get(experience.after, place);
+      if (after != World::Get(experience.before, place)) {
+        visit(symbol, place, after);
+      }
+    }
+  }
+}
+
+std::set<Effect> EffectsOf(const Experience& experience, const World& world) {
+  std::set<Effect> effects;
+  ForEachChange(experience, world, [&](int symbol, int /*place*/, bool after) {
+    effects.insert({symbol, after});
+  });
+  return effects;
+}
+
+}  // namespace
 
 RexD::RexD(const RexdTask& task, const Params& params)
     : task_(task),
@@ -68,16 +103,20 @@ std::optional<GroundAct> RexD::LeastTried(const WorldState& state) {
       random_.Below(static_cast<int>(least.size())))];
 }
 
+planning::Planner::Params RexD::PlannerParams() const {
+  planning::Planner::Params params;
+  params.max_expansions = params_.max_expansions;
+  params.precision = 1e-3;
+  return params;
+}
+
 std::optional<GroundAct> RexD::PlanBy(const NdrRules& rules,
                                       const RexdTask& task,
                                       const WorldState& state) const {
   std::vector<GroundAct> acts = KnownActs();
   while (true) {
     const auto model = std::make_shared<RuleModel>(rules, task, acts);
-    planning::Planner::Params params;
-    params.max_expansions = params_.max_expansions;
-    params.precision = 1e-3;
-    planning::Planner planner(model, params);
+    planning::Planner planner(model, PlannerParams());
     const planning::Plan plan = planner.Find(model->Pack(state));
     if (plan.status != planning::Plan::Status::kFound || plan.course.empty()) {
       return std::nullopt;
@@ -174,26 +213,16 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
 WorldState RexD::Transfer(const Experience& experience, const GroundAct& act,
                           WorldState state) const {
   const World& world = *task_.world;
-  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
-    const int symbol = static_cast<int>(s);
-    if (world.symbols()[symbol].kind != Symbol::Kind::kPrimitive ||
-        world.symbols()[symbol].is_integer) {
-      continue;
+  ForEachChange(experience, world, [&](int symbol, int place, bool after) {
+    std::vector<int> objects = world.ObjectsAt(symbol, place);
+    for (int& object : objects) {
+      const auto it = std::ranges::find(experience.act.arguments, object);
+      if (it == experience.act.arguments.end()) continue;
+      object = act.arguments[static_cast<size_t>(
+          it - experience.act.arguments.begin())];
     }
-    for (int i = 0; i < world.num_places(symbol); ++i) {
-      const int place = world.first(symbol) + i;
-      const bool after = World::Get(experience.after, place);
-      if (after == World::Get(experience.before, place)) continue;
-      std::vector<int> objects = world.ObjectsAt(symbol, place);
-      for (int& object : objects) {
-        const auto it = std::ranges::find(experience.act.arguments, object);
-        if (it == experience.act.arguments.end()) continue;
-        object = act.arguments[static_cast<size_t>(
-            it - experience.act.arguments.begin())];
-      }
-      World::Set(&state, world.PlaceOf(symbol, objects), after);
-    }
-  }
+    World::Set(&state, world.PlaceOf(symbol, objects), after);
+  });
   world.Derive(&state);
   return state;
 }
@@ -226,9 +255,7 @@ void RexD::RememberDeadEnd() {
 
 bool RexD::HasWayOn(const WorldState& state) const {
   const auto model = Model();
-  planning::Planner::Params params;
-  params.max_expansions = params_.max_expansions;
-  params.precision = 1e-3;
+  planning::Planner::Params params = PlannerParams();
   params.minimize_actions = false;
   planning::Planner planner(model, params);
   const auto status = planner.Find(model->Pack(state)).status;
@@ -237,31 +264,15 @@ bool RexD::HasWayOn(const WorldState& state) const {
 }
 
 bool RexD::IsUnheardOf(const Experience& experience) const {
-  const World& world = *task_.world;
-  const auto has_effect = [&](const Experience& e, int symbol, bool truth) {
-    for (int i = 0; i < world.num_places(symbol); ++i) {
-      const int place = world.first(symbol) + i;
-      if (World::Get(e.after, place) != World::Get(e.before, place) &&
-          World::Get(e.after, place) == truth) {
-        return true;
-      }
-    }
-    return false;
-  };
-  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
-    const int symbol = static_cast<int>(s);
-    if (world.symbols()[symbol].kind != Symbol::Kind::kPrimitive ||
-        world.symbols()[symbol].is_integer) {
-      continue;
-    }
-    for (const bool truth : {false, true}) {
-      const auto count = std::ranges::count_if(
-          experiences_,
-          [&](const auto& e) { return has_effect(e, symbol, truth); });
-      if (count == 1 && has_effect(experience, symbol, truth)) return true;
+  std::map<Effect, int> num_experiences;
+  for (const Experience& e : experiences_) {
+    for (const Effect& effect : EffectsOf(e, *task_.world)) {
+      ++num_experiences[effect];
     }
   }
-  return false;
+  return std::ranges::any_of(
+      EffectsOf(experience, *task_.world),
+      [&](const Effect& effect) { return num_experiences[effect] == 1; });
 }
 
 bool RexD::IsDangerous(const GroundAct& act, const WorldState& state) const {

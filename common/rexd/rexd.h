@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "common/planning/planner.h"
 #include "common/rexd/guidance.h"
 #include "common/rexd/rule_model.h"
 #include "common/rules/learning/learner.h"
@@ -76,6 +77,7 @@ class RexD {
     bool is_unheard_of = false;
   };
 
+  planning::Planner::Params PlannerParams() const;
   std::optional<rules::GroundAct> PlanBy(const rules::NdrRules& rules,
                                          const RexdTask& task,
                                          const rules::WorldState& state) const;

@@ -1,7 +1,6 @@
 #include "services/library/library_copy.h"
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -48,14 +47,6 @@ void CopyInto(const fs::path& from, const fs::path& to) {
   if (error) FailAsSystem(from, error.value());
 }
 
-fs::path NewFolder() {
-  std::string folder = (fs::temp_directory_path() / "cell-library-XXXXXX");
-  if (mkdtemp(folder.data()) == nullptr) {
-    Fail(folder, std::string("cannot be made: ") + std::strerror(errno));
-  }
-  return folder;
-}
-
 }  // namespace
 
 bool LibraryCopy::IsWritable(const fs::path& file) {
@@ -63,24 +54,13 @@ bool LibraryCopy::IsWritable(const fs::path& file) {
   return access(file.c_str(), W_OK) == 0 && access(folder.c_str(), W_OK) == 0;
 }
 
-LibraryCopy::LibraryCopy(const fs::path& file) {
+LibraryCopy::LibraryCopy(const fs::path& file) : folder_("library") {
   RequireNoOwner(file);
-  folder_ = NewFolder();
-  path_ = folder_ / file.filename();
-  try {
-    CopyInto(file, path_);
-    const fs::path journal = file.string() + "-wal";
-    if (fs::exists(journal)) CopyInto(journal, path_.string() + "-wal");
-    fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);
-  } catch (...) {
-    fs::remove_all(folder_);
-    throw;
-  }
-}
-
-LibraryCopy::~LibraryCopy() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  path_ = folder_.path() / file.filename();
+  CopyInto(file, path_);
+  const fs::path journal = file.string() + "-wal";
+  if (fs::exists(journal)) CopyInto(journal, path_.string() + "-wal");
+  fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);
 }
 
 }  // namespace cell::library

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "common/files/temporary_folder.h"
+
 namespace cell::library {
 
 /// A copy of a library's file, with what its journal (-wal) holds, in a
@@ -15,14 +17,11 @@ class LibraryCopy {
   /// @throws std::runtime_error naming the file that cannot be read, or that
   /// another process owns.
   explicit LibraryCopy(const std::filesystem::path& file);
-  ~LibraryCopy();
-  LibraryCopy(const LibraryCopy&) = delete;
-  LibraryCopy& operator=(const LibraryCopy&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::filesystem::path path_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "common/config/deployment.h"
@@ -36,6 +37,12 @@ class KeyFrameBuilder {
   /// The key frames that are certain now; indices count from 0.
   /// @pre the tracks are later than the last ones.
   std::vector<KeyFrame> Update(const Tracks& tracks);
+
+  /// Key frames are known so many tracks later.
+  size_t lag_frames() const {
+    const bool is_smoothed = params_.smoother.position_sd > 0;
+    return is_smoothed ? static_cast<size_t>(params_.smoother.lag_frames) : 0;
+  }
 
   /// Forgets all tracks: another episode begins. Its seed matters only to
   /// emulated errors.

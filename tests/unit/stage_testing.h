@@ -115,6 +115,20 @@ class Stage {
   void LetGo(const std::string& hand, const std::string& part) {
     held_.erase({hand, part});
   }
+  /// The right hand takes the part and lifts it, move() puts it somewhere, and
+  /// the hand lets go; see(key frame) is called before, after and in between.
+  template <class Move, class See>
+  void Manipulate(const std::string& part, Move move, See see) {
+    see(Frame());
+    Hold("hand_right", part);
+    see(Frame());
+    Lift(part, 0.2);
+    see(Frame());
+    move();
+    see(Frame());
+    LetGo("hand_right", part);
+    see(Frame());
+  }
   const Eigen::Isometry3d& PoseOf(const std::string& part) const {
     return poses_.at(part);
   }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -46,20 +47,45 @@ struct EvalShownOptions {
   std::string recordings = "runs/demonstrations";
 };
 
-std::vector<ShownStreamParams::Demonstration> DemonstrationsOf(
-    const EvalShownOptions& options, const std::vector<std::string>& scripts,
-    const CellFiles& files) {
-  std::vector<ShownStreamParams::Demonstration> demonstrations;
-  for (const auto& path :
-       MakeDemonstrations({options.recordings, scripts, options.runs,
-                           options.seed, options.jobs},
-                          files)) {
-    demonstrations.push_back({path.stem().string(), [path] {
-                                return LoadRecording(path);
-                              }});
+/// What is shown, and how: without a library.
+class ShownInput {
+ public:
+  ShownInput(const EvalShownOptions& options,
+             const std::vector<std::string>& scripts)
+      : files_(CheckedFiles(options)), task_(LoadTask(files_.deployment)) {
+    for (const auto& path :
+         MakeDemonstrations({options.recordings, scripts, options.runs,
+                             options.seed, options.jobs},
+                            files_)) {
+      params.demonstrations.push_back({path.stem().string(), [path] {
+                                         return LoadRecording(path);
+                                       }});
+    }
+    params.noise_mm = options.noise_mm;
+    params.seed = options.seed;
   }
-  return demonstrations;
-}
+
+  const Deployment& deployment() const { return files_.deployment; }
+  const Task& task() const { return task_; }
+  std::map<std::string, std::string> Placements() const {
+    return PlacementNames(
+        vtb::Demonstrations::FromConfig(
+            deployment().OfTask("demonstrators.yaml"), task_.parts),
+        task_.parts);
+  }
+
+  ShownStreamParams params;
+
+ private:
+  static CellFiles CheckedFiles(const EvalShownOptions& options) {
+    CellFiles files = FindCellFiles(options.deploy_dir);
+    CheckTask(files);
+    return files;
+  }
+
+  CellFiles files_;
+  Task task_;
+};
 
 void PrintConfidence(const char* what, std::vector<double> confidences) {
   if (confidences.empty()) return;
@@ -73,23 +99,16 @@ void PrintConfidence(const char* what, std::vector<double> confidences) {
 }
 
 int RunStream(const EvalShownOptions& options) {
-  const CellFiles files = FindCellFiles(options.deploy_dir);
-  CheckTask(files);
-  const Task task = LoadTask(files.deployment);
-  ShownStreamParams params;
-  params.demonstrations = DemonstrationsOf(options, kStreamScripts, files);
-  params.noise_mm = options.noise_mm;
-  params.seed = options.seed;
-  params.library = MakeSecLibrary({task.domain, task.parts, task.actions});
+  ShownInput input(options, kStreamScripts);
+  const Task& task = input.task();
+  input.params.library =
+      MakeSecLibrary({task.domain, task.parts, task.actions});
   Progress progress;
   const ShownStream stream =
-      ShowStream(params, files.deployment, task,
+      ShowStream(input.params, input.deployment(), task,
                  [&](const std::string& text) { progress.Show(text); });
   progress.Clear();
-  const auto demonstrations = vtb::Demonstrations::FromConfig(
-      files.deployment.OfTask("demonstrators.yaml"), task.parts);
-  const StreamScore score =
-      Score(stream, PlacementNames(demonstrations, task.parts));
+  const StreamScore score = Score(stream, input.Placements());
   for (const std::string& error : score.errors) std::cout << error << '\n';
   std::cout << fmt::format(
       "one stream of {} demonstrations, pose noise {:g} mm, seed {}\n",
@@ -102,19 +121,11 @@ int RunStream(const EvalShownOptions& options) {
 }
 
 int RunGroups(const EvalShownOptions& options) {
-  const CellFiles files = FindCellFiles(options.deploy_dir);
-  CheckTask(files);
-  const Task task = LoadTask(files.deployment);
-  ShownStreamParams params;
-  params.demonstrations = DemonstrationsOf(options, kGroupScripts, files);
-  params.noise_mm = options.noise_mm;
-  params.seed = options.seed;
+  const ShownInput input(options, kGroupScripts);
+  const Task& task = input.task();
   Progress progress;
-  const auto demonstrations = vtb::Demonstrations::FromConfig(
-      files.deployment.OfTask("demonstrators.yaml"), task.parts);
   const auto chains =
-      ShowChains(params, files.deployment, task,
-                 PlacementNames(demonstrations, task.parts),
+      ShowChains(input.params, input.deployment(), task, input.Placements(),
                  [&](const std::string& text) { progress.Show(text); });
   progress.Clear();
   std::vector<ShownGroups> results;

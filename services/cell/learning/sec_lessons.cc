@@ -37,8 +37,6 @@ class Lesson {
         names_(names),
         tracks_(recording, task.scene_objects, task.layout, {}),
         builder_(sec_builder::KeyFrameBuilder::Params::Load(deployment, task)),
-        lag_frames_(LagOf(
-            sec_builder::KeyFrameBuilder::Params::Load(deployment, task))),
         recognition_(task.scene_objects, task.parts,
                      std::make_shared<const LearnedLibrary>(
                          std::vector<LearnedLibrary::Entry>{},
@@ -58,7 +56,7 @@ class Lesson {
   void Attend() {
     while (const auto tracks = tracks_.Next()) {
       seen_.push_back(tracks->utime);
-      if (seen_.size() > lag_frames_) {
+      if (seen_.size() > builder_.lag_frames()) {
         Listen(seen_.front());
         seen_.pop_front();
       }
@@ -76,13 +74,6 @@ class Lesson {
     SensedFrame before, after;
     EventChain chain;
   };
-
-  /// Key frames come so much later than the tracks.
-  static size_t LagOf(const sec_builder::KeyFrameBuilder::Params& params) {
-    return params.smoother.position_sd > 0
-               ? static_cast<size_t>(params.smoother.lag_frames)
-               : 0;
-  }
 
   /// What is said before `utime` names what was shown before it.
   void Listen(int64_t utime) {
@@ -125,7 +116,6 @@ class Lesson {
   std::optional<Shown> shown_;
   RecordedTracks tracks_;
   sec_builder::KeyFrameBuilder builder_;
-  size_t lag_frames_;
   std::deque<int64_t> seen_;  // times of the tracks not listened to yet
   recognizer::Recognition recognition_;
   std::optional<SecLearner::Lesson> last_;

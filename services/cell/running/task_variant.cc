@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stdlib.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -83,33 +82,17 @@ void ApplyVariant(const fs::path& task_dir, const std::string& name) {
 }
 
 VariedTask::VariedTask(const Deployment& source, const std::string& variant)
-    : deployment_(source) {
-  std::string folder =
-      (fs::temp_directory_path() / "cell-task-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) {
-    throw std::runtime_error(folder + ": cannot be created");
+    : folder_("task"), deployment_(source) {
+  deployment_.task_dir =
+      folder_.path() / (source.task_dir / "").parent_path().filename();
+  fs::create_directory(deployment_.task_dir);
+  for (const auto& entry : fs::directory_iterator(source.task_dir)) {
+    const fs::path name = entry.path().filename();
+    if (name == kRecordingsFolder) continue;
+    fs::copy(entry.path(), deployment_.task_dir / name,
+             fs::copy_options::recursive);
   }
-  folder_ = folder;
-  const fs::path task = (source.task_dir / "").parent_path().filename();
-  deployment_.task_dir = folder_ / task;
-  try {
-    fs::create_directory(deployment_.task_dir);
-    for (const auto& entry : fs::directory_iterator(source.task_dir)) {
-      const fs::path name = entry.path().filename();
-      if (name == kRecordingsFolder) continue;
-      fs::copy(entry.path(), deployment_.task_dir / name,
-               fs::copy_options::recursive);
-    }
-    ApplyVariant(deployment_.task_dir, variant);
-  } catch (...) {
-    fs::remove_all(folder_);
-    throw;
-  }
-}
-
-VariedTask::~VariedTask() {
-  std::error_code error;  // what remains is in the folder for temporary files
-  fs::remove_all(folder_, error);
+  ApplyVariant(deployment_.task_dir, variant);
 }
 
 }  // namespace cell::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/config/deployment.h"
+#include "common/files/temporary_folder.h"
 
 namespace cell::cli {
 
@@ -32,14 +33,11 @@ class VariedTask {
  public:
   /// @throws like ApplyVariant().
   VariedTask(const Deployment& source, const std::string& variant);
-  ~VariedTask();
-  VariedTask(const VariedTask&) = delete;
-  VariedTask& operator=(const VariedTask&) = delete;
 
   const Deployment& deployment() const { return deployment_; }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   Deployment deployment_;
 };
 

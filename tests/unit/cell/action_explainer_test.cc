@@ -23,24 +23,17 @@ using testing::SizeIs;
 
 class ActionExplainerTest : public testing::Test {
  protected:
-  void See() {
+  void See(const KeyFrame& frame) {
     Message message{};
     message.channel = "KEY_FRAME";
-    message.bytes = std::make_shared<const Bytes>(
-        Bus::Encode(KeyFrameToMessage(stage_.Frame())));
+    message.bytes =
+        std::make_shared<const Bytes>(Bus::Encode(KeyFrameToMessage(frame)));
     explainer_.Put(message);
   }
   template <class Move>
   void Manipulate(const std::string& part, Move move) {
-    See();
-    stage_.Hold("hand_right", part);
-    See();
-    stage_.Lift(part, 0.2);
-    See();
-    move();
-    See();
-    stage_.LetGo("hand_right", part);
-    See();
+    stage_.Manipulate(part, move,
+                      [this](const KeyFrame& frame) { See(frame); });
   }
 
   ShippedTask task_;
@@ -90,9 +83,9 @@ TEST_F(ActionExplainerTest, SaysWhatAnUnknownManipulationLacksOfTheNearest) {
 }
 
 TEST_F(ActionExplainerTest, AnEpisodeBeginsWithoutWhatWasInHand) {
-  See();
+  See(stage_.Frame());
   stage_.Hold("hand_right", "shaft");
-  See();
+  See(stage_.Frame());
   episode_t episode{};
   episode.phase = episode_t::START;
   Message message{};
@@ -101,7 +94,7 @@ TEST_F(ActionExplainerTest, AnEpisodeBeginsWithoutWhatWasInHand) {
   explainer_.Put(message);
   stage_.LetGo("hand_right", "shaft");
   stage_.StandAt("shaft", 0.3, -0.3);
-  See();
+  See(stage_.Frame());
   EXPECT_THAT(explainer_.explanations(), IsEmpty());
 }
 

@@ -33,15 +33,9 @@ class Demonstration {
 
   template <class Move>
   void Manipulate(const std::string& part, Move move) {
-    See();
-    stage_.Hold("hand_right", part);
-    See();
-    stage_.Lift(part, 0.2);
-    See();
-    move();
-    See();
-    stage_.LetGo("hand_right", part);
-    See();
+    stage_.Manipulate(part, move, [this](const KeyFrame& frame) {
+      recognition_.Update(frame);
+    });
   }
   void Seat(const std::string& part, const std::string& site) {
     Manipulate(part, [&] { stage_.Seat(part, site); });
@@ -54,8 +48,6 @@ class Demonstration {
   }
 
  private:
-  void See() { recognition_.Update(stage_.Frame()); }
-
   const ShippedTask task_;
   std::shared_ptr<const SceneWords> words_;
   Stage stage_;

@@ -1,0 +1,1 @@
+cell_add_test(unit/files/temporary_folder_test.cc LINK cell_files)
