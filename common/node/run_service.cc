@@ -1,6 +1,7 @@
 #include "common/node/run_service.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -66,7 +67,9 @@ int Run(const std::string& program, bool has_instances, int argc, char** argv,
     files.deployment.run_dir = arguments.run_dir;
     files.deployment.is_live = arguments.is_live;
     const ServiceFactory factory = [&](Bus& bus) {
-      return maker(bus, files.deployment, instance);
+      auto service = maker(bus, files.deployment, instance);
+      malloc_trim(0);  // what reading the task's files took
+      return service;
     };
     if (is_follower) return Follow(arguments, files.roster, name, factory);
     if (arguments.is_live) {

@@ -79,7 +79,7 @@ void ArmDevice::Publish(const World& world) {
   PublishStop();
 
   force_ = world.hands().WrenchOn(layout_.gripper).force.norm();
-  if (!layout_.X_FS) return;
+  if (!layout_.X_FS || !params_.has_sensors) return;
   const Wrench reading = Reading(world, FlangePose());
   wrench_t wrench{};
   wrench.header.utime = bus_.now();

@@ -26,6 +26,8 @@ class ArmDevice {
   struct Params {
     ArmServo::Params servo;
     Gripper::Params gripper;
+    /// Whether WRENCH_<ARM> is published, of an arm with a sensor.
+    bool has_sensors = true;
     /// What the sensor reads with nothing on it [N, N m].
     Wrench bias;
   };

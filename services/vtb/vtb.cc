@@ -62,6 +62,7 @@ void LoadArms(const Config& config, ArmDevice::Params* params) {
   servo.patience_ticks = config.Integer("patience_ticks", 1, 50);
   servo.stop_force = config.Number("stop_force_n", 10, 1000);
   params->gripper.speed = 1e-3 * config.Number("finger_speed_mm", 1, 1000);
+  params->has_sensors = config.Get<bool>("sensors");
   const std::vector<double> bias = config.Numbers("sensor_bias", 6);
   params->bias.force = Eigen::Vector3d(bias[0], bias[1], bias[2]);
   params->bias.torque = Eigen::Vector3d(bias[3], bias[4], bias[5]);

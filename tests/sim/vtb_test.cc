@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +23,7 @@
 #include "cell/truth_poses_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/stepper.h"
+#include "tests/test_folder.h"
 
 namespace cell {
 
@@ -30,9 +34,9 @@ namespace {
 class Bench {
  public:
   explicit Bench(const std::string& demonstration = "two_pegs",
-                 uint64_t seed = 1000)
+                 uint64_t seed = 1000, const Deployment& files = Files())
       : stepper_({.name = "vtb"}),
-        vtb_(MakeVtb(stepper_, Files(), demonstration, seed)) {}
+        vtb_(MakeVtb(stepper_, files, demonstration, seed)) {}
 
   /// The messages of the next tick, by channel.
   std::multimap<std::string, Message> Tick(std::vector<Message> inputs = {}) {
@@ -125,6 +129,25 @@ TEST(Vtb, TruthNamesPartsHandsAndWhatTouches) {
   const auto contacts =
       Decoded<truth_contacts_t>(outputs.find("TRUTH_CONTACTS")->second);
   EXPECT_EQ(contacts.contacts.size(), 9u);  // each free part on the table
+}
+
+TEST(Vtb, LeavesTheWristSensorsToADeviceOfTheirOwn) {
+  Deployment files = Bench::Files();
+  const auto folder = NewTestFolder();
+  std::filesystem::copy(files.config_dir, folder);
+  std::stringstream text;
+  text << std::ifstream(folder / "vtb.yaml").rdbuf();
+  const std::string key = "  sensors: true";
+  std::string changed = text.str();
+  changed.replace(changed.find(key), key.size(), "  sensors: false");
+  std::ofstream(folder / "vtb.yaml") << changed;
+  files.config_dir = folder;
+
+  Bench all, without("two_pegs", 1000, files);
+  EXPECT_EQ(all.Tick().count("WRENCH_RIGHT"), 1u);
+  const auto outputs = without.Tick();
+  EXPECT_EQ(outputs.count("WRENCH_RIGHT"), 0u);
+  EXPECT_EQ(outputs.count("ARM_STATE_RIGHT"), 1u);
 }
 
 TEST(Vtb, TwoRunsPublishTheSameBytes) {
