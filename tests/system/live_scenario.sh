@@ -39,7 +39,7 @@ for _ in $(seq 600); do
   grep -q 'the episode ends' "$out/told.txt" && break
   sleep 1
 done
-sleep 20  # what nobody has recognised is told as the episode is over
+sleep 20  # unrecognised changes are reported after the episode
 kill -TERM "$ears"
 wait "$ears"
 "$cell" replay "$out/glimpse" >"$out/heard.txt" 2>&1
