@@ -13,7 +13,7 @@
 namespace cell {
 namespace {
 
-// An alias in a text could stand for more than memory holds.
+// Aliases can expand to more nodes than memory holds.
 constexpr char kAnchors[] = "&*";
 
 std::string Indented(const std::string& text) {
@@ -142,8 +142,8 @@ Action ActionFrom(const Config& config, const ActionRecord& record,
   return action;
 }
 
-/// Calls `read`; what yaml-cpp throws, for keys that are no names, becomes a
-/// ConfigError.
+/// Calls `read`, and turns what yaml-cpp throws for keys that are not names
+/// into a ConfigError.
 template <class Function>
 auto Guarded(const ActionRecord& record, Function read) {
   try {

@@ -7,11 +7,11 @@
 
 namespace cell {
 
-/// Reads a record strictly, in the words of the domain. Errors begin with the
-/// record's name, e.g. "Insert:rules[0].context[1]: ...".
-/// @throws ConfigError for what makes no sense there, for texts that are not
-/// one YAML document each, without anchors, and for too long ones. One that is
-/// removed is an action without agents, rules and event chain.
+/// Reads a record strictly, with the names of the domain. Errors begin with the
+/// record's name, e.g. "Insert:rules[0].context[1]: ...". A removed record is
+/// an action without agents, rules and event chain. @throws ConfigError for
+/// names that the domain does not have, and for texts that are too long, have
+/// anchors, or are not one YAML document.
 ActionModel ReadActionModel(const ActionRecord& record, const Domain& domain,
                             const PartTable& parts);
 

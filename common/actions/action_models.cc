@@ -12,7 +12,7 @@ ActionModels::ActionModels(Domain domain, PartTable parts,
       parts_(std::move(parts)),
       models_(std::move(models)) {}
 
-Result<ActionModels::Update> ActionModels::Take(const ActionRecord& record) {
+Result<ActionModels::Update> ActionModels::Apply(const ActionRecord& record) {
   ActionModel model;
   try {
     model = ReadActionModel(record, domain_, parts_);

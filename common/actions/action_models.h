@@ -25,9 +25,9 @@ class ActionModels {
   /// In the domain's order.
   const std::vector<ActionModel>& models() const { return models_; }
 
-  /// A record of the model that is known already changes nothing. Refuses one
-  /// that makes no sense in the domain, with the reason of ReadActionModel().
-  Result<Update> Take(const ActionRecord& record);
+  /// Replaces the model of this name. An equal record changes nothing. Refuses
+  /// a record that the domain cannot express, with ReadActionModel()'s reason.
+  Result<Update> Apply(const ActionRecord& record);
 
  private:
   Domain domain_;

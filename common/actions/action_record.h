@@ -30,8 +30,8 @@ struct ActionRecord {
   std::string skill;   ///< how an arm does it; empty: no arm can
   std::string skill_settings;  ///< section of the task's skills.yaml
 
-  /// It stays known that there was such an action: its name, arguments and
-  /// version. Nothing else is said of it, and nobody does it.
+  /// A removed action: only its name, arguments and version are kept, and no
+  /// agent can do it.
   bool is_removed() const { return agents.empty(); }
   bool operator==(const ActionRecord&) const = default;
 };

@@ -28,7 +28,7 @@ LearnedModel ReadSecModel(const Config& config, const Action& action,
 
 /// Gives each action its model of the file; those without one are never
 /// recognised.
-/// @throws ConfigError naming file:key; also for a name that is no action's.
+/// @throws ConfigError naming file:key; also for a name that no action has.
 void ReadSecModels(const Config& file, const SceneWords& words,
                    std::vector<ActionModel>* actions);
 

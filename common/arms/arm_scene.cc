@@ -285,13 +285,13 @@ std::optional<BodyPair> ArmScene::FindTooNear(const std::string& arm,
       BodiesOf(index, BodyPosesOf(layout().arms[index], posture), posture.q);
   const std::vector<Posed> obstacles = Obstacles(index);
   const Query query(rule);
-  // What is farthest out is most likely in the way.
+  // The outermost bodies are the most likely to collide.
   for (size_t i = own.size(); i-- > ArmModel::kFirstLinkBody;) {
     if (auto pair = query.AgainstTable(own[i])) return pair;
     for (const Posed& obstacle : obstacles) {
       if (auto pair = query.Against(own[i], obstacle)) return pair;
     }
-    // What is held goes with the hand as the hand's boxes do.
+    // A held part moves with the hand, like the boxes of the hand.
     for (size_t j = 0; j < std::min(i, ArmModel::kNumBodies); ++j) {
       if (!model.MayCollide(j, i)) continue;
       if (auto pair = query.AgainstOwn(own[i], own[j])) return pair;

@@ -35,8 +35,8 @@ class ArmScene {
   /// without shape.
   ArmScene(const PartTable& parts, const CellLayout& layout);
 
-  /// @throws std::invalid_argument for names that are no part's or no arm's,
-  /// in all of these.
+  /// All of these throw std::invalid_argument for names of unknown parts or
+  /// arms.
   void PutPart(const std::string& part, const Eigen::Isometry3d& X_WO);
   void RemovePart(const std::string& part);
   /// Puts all parts that the map names; the others are gone.
@@ -45,7 +45,7 @@ class ArmScene {
   /// The part goes with the arm's gripper from now on.
   void Hold(const std::string& arm, const std::string& part,
             const Eigen::Isometry3d& X_GO);
-  /// What the arm held is gone until it is put somewhere.
+  /// Removes the part that the arm holds until it is put somewhere.
   void LetGo(const std::string& arm);
 
   /// Nothing if the arm may be in this posture, with what it holds; else why

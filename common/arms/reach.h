@@ -59,7 +59,7 @@ struct PlaceTarget {
 struct TransferChoice {
   GraspChoice grasp;
   PlaceChoice place;
-  bool is_same_branch = false;
+  bool is_same_configuration = false;
 };
 
 /// Best first; if there is none, why, e.g. "out of reach".
@@ -88,8 +88,8 @@ class Reach {
                                   const std::string& grip, double width,
                                   const PlaceTarget& target,
                                   const Joints& seed) const;
-  /// Grasps that allow the placement, those in one branch of the inverse
-  /// kinematics first; at most `max_choices`.
+  /// Grasps that allow the placement, those in one configuration of the
+  /// arm first; at most `max_choices`.
   Choices<TransferChoice> Transfers(const std::string& part,
                                     const PlaceTarget& target,
                                     const Joints& seed,

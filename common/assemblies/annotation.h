@@ -28,7 +28,7 @@ const char* NameOf(MistakeKind kind);  ///< "" for kNone
 struct AssemblyAction {
   Verb verb = Verb::kAttach;
   PartPair pair;
-  std::optional<Label> label;  ///< nullopt if nobody said
+  std::optional<Label> label;  ///< nullopt if not annotated
   MistakeKind kind = MistakeKind::kNone;
   int line = 0;  ///< of the file, from 1
 };

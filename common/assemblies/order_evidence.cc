@@ -48,7 +48,7 @@ class Collector {
     }
   }
 
-  OrderEvidence Take() { return std::move(evidence_); }
+  OrderEvidence Release() { return std::move(evidence_); }
 
  private:
   void AddAttach(const AssemblyAction& action,
@@ -84,7 +84,7 @@ OrderEvidence CollectEvidence(
     std::span<const AssemblySequence* const> sequences) {
   Collector collector(PairsOf(sequences));
   for (const AssemblySequence* sequence : sequences) collector.Add(*sequence);
-  return collector.Take();
+  return collector.Release();
 }
 
 void OrderPrior::AddWithSign(const OrderEvidence& toy, int sign) {

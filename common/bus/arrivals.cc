@@ -4,7 +4,7 @@
 
 namespace cell {
 
-bool Arrivals::Take(const Message& message) {
+bool Arrivals::Accept(const Message& message) {
   const auto index = static_cast<size_t>(BaseOf(message.sender));
   const auto key = std::pair(message.channel, index);
   const auto it = flows_.find(key);
@@ -42,10 +42,11 @@ bool Arrivals::Follows(const Message& message, Flow* flow) {
                         flow->skipped.lower_bound(message.seq - kMaxJump));
     return true;
   }
-  const bool is_new_life = message.sender > flow->sender && message.seq == 0;
+  const bool is_new_incarnation =
+      message.sender > flow->sender && message.seq == 0;
   const bool is_confirmed =
       flow->doubtful == std::pair(message.sender, message.seq - 1);
-  if (!is_new_life && !is_confirmed) {
+  if (!is_new_incarnation && !is_confirmed) {
     flow->doubtful = {message.sender, message.seq};
     ++num_unknown_senders_;
     return false;

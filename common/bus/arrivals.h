@@ -19,10 +19,10 @@ class Arrivals {
   /// `num_services` in the roster: other senders are unknown.
   explicit Arrivals(size_t num_services) : num_services_(num_services) {}
 
-  /// True if `message` is to be handled: the next of its sender on its channel,
-  /// one that was skipped, or the first of a new incarnation. A far jump is
-  /// believed once a second message follows it.
-  bool Take(const Message& message);
+  /// Returns true if `message` is to be handled: the next of its sender on its
+  /// channel, one that was skipped, or the first of a new incarnation. A far
+  /// jump is accepted once a second message follows it.
+  bool Accept(const Message& message);
 
   /// Messages that never came, by channel.
   const std::map<std::string, int64_t>& num_lost() const { return num_lost_; }

@@ -96,7 +96,7 @@ std::vector<std::string> Clock::Awaited(Before what) const {
   return names;
 }
 
-std::optional<std::string> Clock::WhoFeedsUnasked(
+std::optional<std::string> Clock::UndeclaredFeeder(
     const std::function<bool(const std::string& channel)>& wants) const {
   for (size_t i = 1; i < slots_.size(); ++i) {
     if (FeedsClock(roster_, i)) continue;

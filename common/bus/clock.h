@@ -49,9 +49,10 @@ class Clock {
   /// What the services published in the current tick.
   std::vector<flow_t> CurrentFlows() const;
 
-  /// Which service has published, in the current tick, what the clock's own
-  /// service wants, without being one that feeds it (Roster); or nothing.
-  std::optional<std::string> WhoFeedsUnasked(
+  /// Names a service that has published, in the current tick, a message that
+  /// the clock's own service reads, although the roster has no feeds_clock for
+  /// it.
+  std::optional<std::string> UndeclaredFeeder(
       const std::function<bool(const std::string& channel)>& wants) const;
 
   /// Makes the next TICK; `own` are the clock's messages, stamped with it.

@@ -8,8 +8,8 @@
 namespace cell {
 namespace {
 
-/// Commands that other services than the first take. A fixed list, so that
-/// nobody can fill the bus with channels of his own making.
+/// Commands that other services than the first take. A fixed list, so that no
+/// sender can fill the bus with channels that it makes up.
 constexpr std::array<std::string_view, 4> kPassedOn = {
     "COMMAND_GOAL", "COMMAND_LIBRARY", "COMMAND_MODE", "COMMAND_NAME"};
 

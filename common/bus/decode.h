@@ -16,8 +16,8 @@ constexpr bool IsUtime(int64_t utime) {
   return utime >= 0 && utime <= kMaxUtime;
 }
 
-/// The message of type M, or nothing if the bytes are not one, whole, or it
-/// was measured at a time that no run has.
+/// The message of type M, or nothing if the bytes are not exactly one, or its
+/// utime is not within [0, kMaxUtime].
 template <class M>
 std::optional<M> Decode(std::span<const uint8_t> bytes) {
   std::optional<M> decoded(std::in_place);

@@ -6,7 +6,7 @@
 namespace cell {
 namespace {
 
-// What one kept message weighs, its bookkeeping included.
+// [bytes] of memory that a kept message takes, with its bookkeeping.
 size_t WeightOf(const Message& message) {
   return message.bytes->size() + 256;
 }
@@ -27,7 +27,7 @@ void Inbox::Put(Message message) {
   duplicates.push_back(std::move(message));
 }
 
-std::optional<std::vector<Message>> Inbox::Take(
+std::optional<std::vector<Message>> Inbox::Pop(
     const std::vector<MessageId>& ids) {
   std::vector<std::pair<Id, const Message*>> found;
   for (const MessageId& id : ids) {

@@ -19,9 +19,9 @@ class Inbox {
  public:
   void Put(Message message);
 
-  /// The named messages, or nothing while one has not come; missing() then
-  /// names it.
-  std::optional<std::vector<Message>> Take(const std::vector<MessageId>& ids);
+  /// Removes and returns the named messages; nullopt while one is missing,
+  /// which missing() then names.
+  std::optional<std::vector<Message>> Pop(const std::vector<MessageId>& ids);
   const std::optional<MessageId>& missing() const { return missing_; }
   /// True if the missing message came with other bytes than announced.
   bool is_corrupt() const { return is_corrupt_; }

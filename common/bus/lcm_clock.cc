@@ -64,10 +64,10 @@ class LcmClock {
       const std::vector<Message> own =
           host_.Tick(tick, *inputs, std::exchange(commands_, {}));
       if (!AwaitAcks(Clock::Before::kTick)) break;
-      if (const auto error = clock_.WhoFeedsUnasked(host_wants_)) {
+      if (const auto error = clock_.UndeclaredFeeder(host_wants_)) {
         throw BusError("clock: " + *error);
       }
-      // Whoever stops the clock still gets a last TICK out, so that all end.
+      // A stopped clock still publishes a last TICK, so that all services end.
       is_last = host_.IsLast(tick) || stop_;
       const tick_t& manifest = clock_.Advance(own, is_last);
       for (const Message& message : own) {
@@ -135,7 +135,7 @@ class LcmClock {
     control_.Drain();
   }
 
-  // Warns now and then, and gives up if that is wished.
+  // Warns periodically; throws after giveup_s, if that is set.
   template <class Names>
   void Watch(steady_clock::time_point since, const char* what, Names names) {
     const auto now = steady_clock::now();
@@ -189,7 +189,7 @@ class LcmClock {
     const auto ids = MessagesIn(clock_.CurrentFlows(), host_wants_);
     const auto since = steady_clock::now();
     for (data_.Drain();; data_.Drain()) {
-      if (auto messages = inbox_.Take(ids)) return messages;
+      if (auto messages = inbox_.Pop(ids)) return messages;
       if (stop_) return std::nullopt;
       if (steady_clock::now() - since > kLossTimeout) {
         throw BusError("LOST clock: needs channel " +

@@ -35,7 +35,7 @@ class LcmLive {
         state_(state_dir),
         main_(address.MainUrl()),
         control_(address.ControlUrl()),
-        node_(roster, name, state_.NextLife(name), factory,
+        node_(roster, name, state_.NextIncarnation(name), factory,
               [this](const Message& message) {
                 main_.Publish(message.channel, *message.bytes);
               }) {

@@ -29,9 +29,9 @@ Channels Without(const std::string& channel, Channels channels) {
   return channels;
 }
 
-// Lets services run first for which the clock's own service waits: one step of
-// niceness decides which of those that a TICK wakes comes first, and takes
-// little from this one otherwise. Without it a tick only takes longer.
+// Gives priority to the services that the clock's own service waits for: one
+// step of niceness decides which of the services that a TICK wakes runs first,
+// and costs this one little otherwise. Without it a tick only takes longer.
 void GiveWay() {
   [[maybe_unused]] const int niceness = nice(1);
 }
@@ -86,7 +86,7 @@ class LcmNode {
  private:
   using Receivers = std::vector<const LcmReceiver*>;
 
-  // The last ACK may get lost: the clock would say its TICK again.
+  // The last ACK may get lost: the clock would repeat its TICK.
   void Linger() {
     const auto until = steady_clock::now() + kLinger;
     while (steady_clock::now() < until) {

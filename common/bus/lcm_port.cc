@@ -22,8 +22,8 @@
 namespace cell {
 namespace {
 
-// liblcm opens its receiving socket when it first subscribes and tells nobody
-// which it is: one at a time.
+// liblcm opens its receiving socket at the first subscription and does not
+// return it: hence one port at a time.
 std::recursive_mutex& OpeningSocket() {
   static std::recursive_mutex mutex;
   return mutex;

@@ -31,8 +31,8 @@ bool Set(int socket, int level, int option, int value) {
   return setsockopt(socket, level, option, &value, sizeof(value)) == 0;
 }
 
-/// The port of this group only: with another group's packets on the port, or
-/// without the group's, the cell would hear another one, or nobody.
+/// The port of this group only: packets of other groups on the port belong to
+/// other cells.
 bool Join(int socket, const std::string& group, int port) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -66,8 +66,8 @@ LcmReceiver::LcmReceiver(const std::string& group, int port,
       handler_(std::move(handler)),
       packets_(
           std::make_unique_for_overwrite<uint8_t[]>(kNumPackets * kMaxPacket)) {
-  // Before it joins: what it does not want must not get in. A filter that the
-  // kernel refuses costs time only.
+  // Set before the socket joins the group, so that no other packet gets in. A
+  // filter that the kernel refuses costs time only.
   if (channels) AttachFilter(*socket_, ChannelFilter(*channels));
   if (!Join(*socket_, group, port)) {
     throw BusError(fmt::format(

@@ -15,7 +15,7 @@ namespace cell {
 /// own. liblcm receives on a thread of its own and passes each message through
 /// a pipe: three system calls and two changes of context for each; here there
 /// is neither. What is not drained waits in the socket's buffer, so this is
-/// for those that cannot fall behind: a cell in lockstep.
+/// for processes that cannot fall behind: those of a cell in lockstep.
 class LcmReceiver {
  public:
   using Handler = std::function<void(const std::string& channel, Bytes)>;

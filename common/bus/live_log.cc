@@ -97,10 +97,10 @@ void LiveLog::Read(const std::filesystem::path& log) {
       incarnations_[message->sender].push_back(*std::move(step));
     }
   }
-  for (const auto& damage : reader.corrupt_ranges()) {
+  for (const auto& range : reader.corrupt_ranges()) {
     corrupt_ranges_.push_back(
         fmt::format("{}: {} bytes from byte {} on are damaged", log.string(),
-                    damage.length, damage.offset));
+                    range.length, range.offset));
   }
 }
 

@@ -14,8 +14,8 @@
 
 namespace cell {
 
-/// The log of a live cell: its messages, and the journal (STEP) of what each
-/// service was given when.
+/// The log of a live cell: its messages, and the journal (STEP) of the messages
+/// that each service received in each tick.
 class LiveLog {
  public:
   /// Reads DIR/*.lcmlog. @throws std::runtime_error naming the file if there is

@@ -10,7 +10,7 @@
 namespace cell {
 namespace {
 
-/// What waits for one activation; more is not of an honest cell.
+/// Memory for the messages of one activation; an honest cell needs less.
 constexpr size_t kMaxBytes = 64u << 20;
 constexpr size_t kMaxCommands = 100;
 
@@ -62,12 +62,12 @@ LiveNode::LiveNode(const Roster& roster, const std::string& name,
       is_journaled_(!stepper_.Wants(kStepChannel)) {}
 
 void LiveNode::Put(Message message) {
-  // The head has given itself the commands that it passes on.
+  // The first service has already received the commands that it forwards.
   const bool is_own_command =
       IsCommand(message.channel) && BaseOf(sender()) == 0;
   if (!Wants(message.channel) || is_own_command ||
       num_bytes_ + message.bytes->size() > kMaxBytes ||
-      !arrivals_.Take(message)) {
+      !arrivals_.Accept(message)) {
     return;
   }
   num_bytes_ += message.bytes->size();

@@ -12,10 +12,10 @@
 namespace cell {
 namespace {
 
-class LifeReplay {
+class IncarnationReplay {
  public:
-  LifeReplay(const LiveLog& log, const Roster& roster, size_t index,
-             int32_t sender, const ServiceFactory& factory)
+  IncarnationReplay(const LiveLog& log, const Roster& roster, size_t index,
+                    int32_t sender, const ServiceFactory& factory)
       : log_(log),
         stepper_(LiveStepperParams(roster, index, sender)),
         service_(factory(stepper_)),
@@ -30,14 +30,14 @@ class LifeReplay {
                         step.header.tick, sender_, expected - 1));
         return;
       }
-      if (!Take(step, result)) return;
+      if (!Replay(step, result)) return;
     }
     FindExtra(steps.back().header.tick, result);
   }
 
  private:
-  // False if the incarnation can be followed no further.
-  bool Take(const step_t& step, LiveReplayResult* result) {
+  // Returns false if the rest of the incarnation cannot be replayed.
+  bool Replay(const step_t& step, LiveReplayResult* result) {
     std::vector<Message> inputs;
     for (const MessageId& id : MessagesIn(step.flows)) {
       const Message* message = log_.Find(id);
@@ -104,7 +104,7 @@ LiveReplayResult ReplayLive(const LiveLog& log, const Roster& roster,
           fmt::format("sender {} had started before the log begins", sender));
       continue;
     }
-    LifeReplay(log, roster, index, sender, factory).Run(steps, &result);
+    IncarnationReplay(log, roster, index, sender, factory).Run(steps, &result);
     if (result.difference) break;
   }
   return result;

@@ -21,7 +21,7 @@ namespace {
                   path.string(), what, std::strerror(errno)));
 }
 
-// Holds the folder's lock as long as it lives.
+// Holds the folder's lock as long as it exists.
 class Lock {
  public:
   explicit Lock(const std::filesystem::path& path)
@@ -71,7 +71,7 @@ int64_t LiveState::Epoch(int64_t now_us) const {
   return now_us;
 }
 
-int32_t LiveState::NextLife(const std::string& service) const {
+int32_t LiveState::NextIncarnation(const std::string& service) const {
   const Lock lock(dir_ / "lock");
   const std::filesystem::path path = dir_ / (service + ".starts");
   int32_t incarnation = 0;

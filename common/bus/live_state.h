@@ -21,7 +21,7 @@ class LiveState {
 
   /// How often `service` has started before; counts this start. On disk before
   /// it returns: no identity is given twice.
-  int32_t NextLife(const std::string& service) const;
+  int32_t NextIncarnation(const std::string& service) const;
 
   /// Ticks count from 0 again at the next Epoch(). Only while no service runs.
   void Forget() const;

@@ -27,7 +27,7 @@ LockstepNode::LockstepNode(const Roster& roster, const std::string& name,
       service_(factory(stepper_)) {}
 
 void LockstepNode::PutData(Message message) {
-  // Whoever stamps a message so far ahead is not of this cell.
+  // A message that is stamped so far ahead is not of this cell.
   if (has_joined() && message.tick >= next_tick_ + kMaxAhead) return;
   inbox_.Put(std::move(message));
 }
@@ -85,7 +85,7 @@ bool LockstepNode::Advance() {
   if (is_done_ || !has_joined()) return false;
   const auto it = ticks_.find(next_tick_);
   if (it == ticks_.end()) return false;
-  auto inputs = inbox_.Take(NeededBy(it->second));
+  auto inputs = inbox_.Pop(NeededBy(it->second));
   if (!inputs) return false;
   const tick_t tick = std::move(it->second);
   ticks_.erase(it);
@@ -119,7 +119,7 @@ void LockstepNode::Handle(const tick_t& tick, std::vector<Message> inputs) {
   if (until == tick.header.tick) FinishActivation();
 }
 
-// Not before its last tick: who joins meanwhile must get the outputs, too.
+// Not before its last tick: a service that joins meanwhile needs the outputs.
 void LockstepNode::FinishActivation() {
   for (const Message& message : outputs_) link_.send_data(message);
   ack_t done = NewAck(stepper_.until());

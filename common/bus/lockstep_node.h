@@ -21,7 +21,7 @@ namespace cell {
 /// order in, strictly ordered activations, data and ACKs out.
 class LockstepNode {
  public:
-  /// How a node's words get out.
+  /// How a node sends its outputs.
   struct Link {
     std::function<void(const Message&)> send_data;
     std::function<void(const ack_t&)> send_ack;

@@ -63,8 +63,8 @@ void JoinNamespaceOf(int pid, const std::string& kind) {
   Require(result == 0, "joining the network of process " + std::to_string(pid));
 }
 
-/// In a network that it makes. Others may in a user namespace of their own, as
-/// may root in a container that has taken this right away.
+/// Enters a new network namespace. Without the right to do so, as root in some
+/// containers, it enters a user namespace of its own first.
 bool MaySetUpNetworks() {
   return geteuid() == 0 && prctl(PR_CAPBSET_READ, CAP_NET_ADMIN, 0, 0, 0) == 1;
 }
@@ -85,8 +85,8 @@ void EnterPrivateNetwork() {
 }
 
 void JoinNetworkOf(int pid) {
-  // Whoever is not root made the network in a user namespace of his own, which
-  // gives the right to join it.
+  // Without root, the network was made in a user namespace of the same user,
+  // which has to be joined first.
   if (geteuid() != 0) JoinNamespaceOf(pid, "user");
   JoinNamespaceOf(pid, "net");
 }

@@ -3,7 +3,7 @@
 namespace cell {
 
 /// Moves the calling process (before it starts threads) into a network of its
-/// own: loopback only, with a multicast route. No process outside hears what it
+/// own: loopback only, with a multicast route. No process outside gets what it
 /// sends there. Needs root or unprivileged user namespaces.
 /// @throws std::system_error that names the step which failed.
 void EnterPrivateNetwork();

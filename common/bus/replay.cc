@@ -95,8 +95,8 @@ struct Incarnation {
   int32_t sender;
 };
 
-std::vector<Incarnation> LivesOf(const RunLog& log,
-                                 const std::string& service) {
+std::vector<Incarnation> IncarnationsOf(const RunLog& log,
+                                        const std::string& service) {
   std::vector<Incarnation> incarnations;
   for (const auto& [k, tick] : log.ticks()) {
     for (const joined_t& joined : tick.manifest.joined) {
@@ -145,7 +145,7 @@ ReplayResult Replay(const RunLog& log, const Roster& roster,
   const size_t index = roster.RequireIndexOf(service);
   if (index == 0) return ReplayClock(log, roster, factory);
   Comparison comparison(log);
-  for (const Incarnation& incarnation : LivesOf(log, service)) {
+  for (const Incarnation& incarnation : IncarnationsOf(log, service)) {
     Stepper stepper(StepperParams(roster, index, incarnation.sender));
     const std::unique_ptr<Service> object = factory(stepper);
     for (int32_t k = incarnation.join_tick; k < incarnation.end_tick; ++k) {

@@ -114,10 +114,9 @@ void RunLog::Read(const std::filesystem::path& log) {
       tick.has_manifest = true;
     }
   }
-  for (const auto& damage : reader.corrupt_ranges()) {
+  for (const auto& range : reader.corrupt_ranges()) {
     problems_.push_back(fmt::format("{}: {} bytes from byte {} on are damaged",
-                                    log.string(), damage.length,
-                                    damage.offset));
+                                    log.string(), range.length, range.offset));
   }
 }
 
@@ -142,7 +141,7 @@ void RunLog::Check() {
           "tick {}: TICK is not the one that TICK {} refers to", k - 1, k));
     }
     // Flows name the services' messages of the tick before, and the clock's;
-    // a recorder that joins after a gap has heard neither.
+    // a recorder that joins after a gap has received neither.
     for (const MessageId& id : MessagesIn(tick.manifest.flows)) {
       if (!has_previous && (k > 0 || id.sender != 0)) break;
       const Tick* of = id.sender == 0 ? &tick : previous;

@@ -22,7 +22,7 @@ const ServiceFactory& FactoryOf(
   return it->second;
 }
 
-// The one run of a SimBus and its lives need no names that differ by chance.
+// A SimBus has one run, and numbers its incarnations: no id has to be random.
 constexpr int64_t kRun = 1;
 int64_t NonceOf(size_t index, int32_t incarnation) {
   return SenderOf(index, incarnation) + 1;
@@ -41,7 +41,7 @@ SimBus::SimBus(const Roster& roster,
       slots_(roster_.entries.size()) {
   for (const Outage& outage : outages) Add(outage);
   for (size_t i = 1; i < slots_.size(); ++i) {
-    NewLife(i, 0);
+    NewIncarnation(i, 0);
   }
 }
 
@@ -74,9 +74,9 @@ void SimBus::Schedule(const TimedCommand& command) {
 bool SimBus::Step() {
   if (last_tick_.is_last) return false;
   const int32_t tick = clock_.tick() + 1;
-  BeginOutagesAndLives(tick);
+  BeginOutagesAndIncarnations(tick);
   if (const auto error =
-          clock_.WhoFeedsUnasked([this](const std::string& channel) {
+          clock_.UndeclaredFeeder([this](const std::string& channel) {
             return host_.Wants(channel);
           })) {
     throw BusError(*error);
@@ -102,7 +102,7 @@ bool SimBus::Step() {
   return true;
 }
 
-void SimBus::BeginOutagesAndLives(int32_t tick) {
+void SimBus::BeginOutagesAndIncarnations(int32_t tick) {
   for (const Outage& outage : outages_) {
     const size_t index = *roster_.IndexOf(outage.service);
     // Outputs of an activation that death cut short are void.
@@ -110,11 +110,11 @@ void SimBus::BeginOutagesAndLives(int32_t tick) {
       slots_[index].is_silent = true;
       slots_[index].pending.clear();
     }
-    if (tick == outage.join_tick) NewLife(index, tick);
+    if (tick == outage.join_tick) NewIncarnation(index, tick);
   }
 }
 
-void SimBus::NewLife(size_t index, int32_t tick) {
+void SimBus::NewIncarnation(size_t index, int32_t tick) {
   Slot& slot = slots_[index];
   const Roster::Entry& entry = roster_.entries[index];
   const int32_t incarnation = slot.incarnation + 1;

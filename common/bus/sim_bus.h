@@ -37,7 +37,7 @@ class SimBus {
          std::vector<Outage> outages = {},
          std::vector<TimedCommand> commands = {});
 
-  /// For a test that finds the moment while the cell runs: in a later tick than
+  /// For tests that decide while the cell runs; must lie in a later tick than
   /// the last one. @throws std::invalid_argument like the constructor, or if it
   /// is too late.
   void Schedule(const Outage& outage);
@@ -63,8 +63,8 @@ class SimBus {
   };
 
   void Add(const Outage& outage);
-  void BeginOutagesAndLives(int32_t tick);
-  void NewLife(size_t index, int32_t tick);
+  void BeginOutagesAndIncarnations(int32_t tick);
+  void NewIncarnation(size_t index, int32_t tick);
   void Handle(size_t index, const tick_t& tick,
               const std::vector<Message>& messages);
   ack_t NewAck(size_t index, int32_t tick) const;

@@ -10,8 +10,8 @@
 
 namespace cell {
 
-/// The changes of a rule are those of its action's objects and of constants:
-/// what else has changed is taken back. It is sensed afresh.
+/// Keeps the changes of the action's objects and of constants in a rule. All
+/// other changes are removed: the state is sensed again anyway.
 rules::Experience OwnChanges(const rules::Experience& experience,
                              const RuleWorld& world);
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
       fmt::format("{}: exists; {}", path.string(), advice));
 }
 
-// Where links lead, so that they stay.
+// Resolves symbolic links, so that the links are kept.
 fs::path Resolve(const fs::path& path) {
   std::error_code error;
   if (!fs::is_symlink(path, error)) return path;

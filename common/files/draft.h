@@ -23,7 +23,7 @@ class Draft {
   /// Forces what was written to the disk and puts it in its place, instead of
   /// what is there. @throws std::runtime_error naming the file.
   void Replace();
-  /// The same, but @throws if anything is there, however late it came; the
+  /// The same, but @throws if a file is there, even one created meanwhile; the
   /// error ends with `advice`.
   void PutNew(std::string_view advice);
 
@@ -38,7 +38,7 @@ class Draft {
 
 /// Writes a whole file, checked to the close. @throws as Draft does.
 void WriteFile(const std::filesystem::path& path, std::string_view text);
-/// The same, but never instead of another.
+/// The same, but never replaces a file.
 void WriteNewFile(const std::filesystem::path& path, std::string_view text,
                   std::string_view advice);
 

@@ -23,9 +23,9 @@ uint16_t Unfold(uint16_t folded) {
   return Wrapped((folded >> 1) ^ ((folded & 1) != 0 ? 0xffff : 0));
 }
 
-/// Calls visit(index, prediction) for each pixel in order with what its
-/// neighbours foretell; it may write the count at index, which counts for those
-/// that follow.
+/// Calls visit(index, prediction) for each pixel in order, with the prediction
+/// from its neighbours; visit() may write the count at index, from which later
+/// pixels are predicted.
 template <class Visit>
 void ForEachPrediction(int width, int height,
                        const std::vector<uint16_t>& counts,

@@ -107,8 +107,8 @@ bool BoundSearch::ChooseAgain(Frame* frame) {
   tried_in_[static_cast<size_t>(frame->choice)] = pass_;
   const auto update = bounds_.Improve(frame->block);
   has_changed_ |= update.change > kConverged;
-  // As long as the upper bound stays, nothing above depends on this state's
-  // second thoughts.
+  // While the upper bound stays the same, a new best choice here changes
+  // nothing in the states above.
   if (update.choice < 0 || update.drop > kConverged ||
       !IsWorthEntering(frame->block, frame->reach)) {
     return false;

@@ -53,7 +53,7 @@ struct Excuses {
 /// Candidates come from regression: from the goal back over the actions to
 /// what cannot be reached even if nothing is ever undone. Every excuse holds at
 /// least one of these literals. Literals of the goal are used only if no others
-/// help, since to wish for the goal explains nothing. Among equally small
+/// help, since assuming the goal explains nothing. Among equally small
 /// excuses those come first whose literals no action brings about.
 /// @param task  with its constant atoms, see ConstantAtoms::kKeep
 Excuses FindExcuses(const GroundTask& task, const ExcuseOptions& options = {});

@@ -99,8 +99,8 @@ class RexD {
   bool HasFailedTooOften(const rules::GroundAct& act,
                          const rules::WorldState& state) const;
   std::vector<rules::GroundAct> KnownActs() const;
-  /// Probability that the rules give to any change, as if two more experiences
-  /// had been had, one with a change (rule of succession).
+  /// Probability that the rules give to any change, as if there were two
+  /// more experiences, one with a change (rule of succession).
   double ChangeProbability(const rules::GroundAct& act,
                            const rules::WorldState& state) const;
   /// True if the rules are sure that nothing changes.

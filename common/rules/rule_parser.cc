@@ -135,7 +135,7 @@ class RuleParser {
     std::string word = in.Word("a probability");
     // 1e-05 is three tokens.
     if (word.ends_with("e") && (in.Peek() == "-" || in.Peek() == "+")) {
-      word += in.Take() == "-" ? "-" : "";
+      word += in.Next() == "-" ? "-" : "";
       word += in.Word("an exponent");
     }
     double value = -1;

@@ -135,9 +135,9 @@ class SymbolParser {
     definition.is_for_all = in.Peek() == "All";
     for (const char* word : {"All", "Num", "Some"}) {
       if (in.Peek() == word && in.Peek(1) != "(") {
-        in.Take();
+        in.Next();
         while (IsVariableName(in.Peek()) && in.Peek(1) != "(") {
-          definition.variables.push_back(in.Take());
+          definition.variables.push_back(in.Next());
         }
       }
     }

@@ -76,7 +76,7 @@ const std::string& TokenReader::Peek(size_t ahead) const {
   return next_ + ahead < tokens_.size() ? tokens_[next_ + ahead] : kNone;
 }
 
-std::string TokenReader::Take() {
+std::string TokenReader::Next() {
   return AtEnd() ? "" : tokens_[next_++];
 }
 
@@ -94,7 +94,7 @@ void TokenReader::Expect(std::string_view token) {
 }
 
 std::string TokenReader::Word(std::string_view what) {
-  if (IsWord(Peek())) return Take();
+  if (IsWord(Peek())) return Next();
   Fail(fmt::format(
       "expected {}, not {}", what,
       AtEnd() ? "the end of the line" : "'" + Printable(Peek()) + "'"));

@@ -32,7 +32,7 @@ class TokenReader {
   bool AtEnd() const { return next_ == tokens_.size(); }
   /// Empty at the end.
   const std::string& Peek(size_t ahead = 0) const;
-  std::string Take();
+  std::string Next();
   bool TakeIf(std::string_view token);
   /// @throws RuleError unless the next token is `token`.
   void Expect(std::string_view token);

@@ -9,7 +9,7 @@
 namespace cell {
 
 /// What can appear in a scene: the parts of a task, the hands, the table. What
-/// messages call by another name is not believed.
+/// messages call by another name is rejected.
 class SceneObjects {
  public:
   static constexpr char kTable[] = "table";

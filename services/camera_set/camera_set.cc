@@ -113,7 +113,7 @@ std::unique_ptr<Service> MakeCameraSet(Bus& bus, const Deployment& deployment,
   const auto device = config.Get<std::string>("device");
   config.Finish();
   rendered.camera = recorded.camera = instance;
-  // In lockstep all wait for this picture; live it is one of many at work.
+  // In lockstep all services wait for this frame; live, it shares the cores.
   rendered.num_threads = deployment.is_live ? 1 : 0;
   recorded.folder /= instance;
   if (device == "recorded") {

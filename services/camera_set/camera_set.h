@@ -9,8 +9,8 @@
 
 namespace cell::camera_set {
 
-/// A device's pictures -> FRAME_<SET>. It knows nothing of episodes: what it
-/// shows is what is there.
+/// A device's pictures -> FRAME_<SET>. Independent of episodes: its
+/// frames show what is there.
 class CameraSet final : public Service {
  public:
   struct Params {

@@ -11,7 +11,7 @@ RecordedDevice::RecordedDevice(Bus& bus, const Params& params)
       camera_(params.camera),
       X_WC_(params.X_WC),
       frames_(params.folder, params.is_loop) {
-  // A slow service is woken by messages alone: the beat always comes.
+  // Only messages activate a slow service: TICK is one that always comes.
   bus.Subscribe<tick_t>(
       kTickChannel, [](const tick_t&) {}, 1);
 }

@@ -35,8 +35,8 @@ class RecordedFrames {
 
   size_t size() const { return names_.size(); }
 
-  /// What in the last frame yields no measurement though it may be meant as
-  /// one, with file and counts; empty if nothing, or if reported before.
+  /// Content of the last frame that yields no measurement but may be meant as
+  /// one, with file and counts; empty if none, or if reported before.
   const std::string& remark() const { return remark_; }
 
  private:

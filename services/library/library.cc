@@ -43,7 +43,7 @@ Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
                                   [this](const auto& m) { OnStoreRequest(m); });
 }
 
-/// The tick of joining brings nothing but this.
+/// In its tick of joining, the service receives nothing but this TICK.
 bool Library::OnTick(std::span<const uint8_t> bytes) {
   if (std::exchange(has_joined_, true)) return true;
   const auto tick = Decode<tick_t>(bytes);

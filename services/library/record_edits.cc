@@ -35,7 +35,7 @@ ActionModel ModelOf(ActionRecord record, const Domain& domain,
   return ReadActionModel(record, domain, parts);
 }
 
-/// Who has learned what the records say. @throws ConfigError.
+/// The learner that has learned what the records say. @throws ConfigError.
 SecLearner LearnerOf(const Records& content, const Domain& domain,
                      const PartTable& parts) {
   SecLearner learner(std::make_shared<const SceneWords>(
@@ -159,8 +159,8 @@ Result<Records> RecordEdits::Restore(const Records& earlier) const {
     if (record.is_removed() || FindIn(earlier, record.name)) continue;
     records.push_back(Removed(record));
   }
-  // What undoes an action can be stored only when the action is there, and be
-  // dropped only before it.
+  // An action that undoes another one can be stored only after it, and removed
+  // only before it.
   std::ranges::stable_sort(records, {}, [](const ActionRecord& record) {
     return std::pair(record.is_removed(), !record.undoes.empty());
   });

@@ -61,8 +61,8 @@ std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                                     vocabulary.AtomName(change.atom)));
 }
 
-/// Names what a person has to see to, and nothing else. What is to be moved
-/// into reach cannot be judged otherwise before it is.
+/// Names only what a person has to fix. Of a part that has to be moved into
+/// reach, nothing else can be judged before it is there.
 ExecutionStatus AskForChanges(const Plan& no_plan, const State& state,
                               const Vocabulary& vocabulary,
                               const RequestWords& requests) {

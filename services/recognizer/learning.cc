@@ -12,7 +12,7 @@
 namespace cell::recognizer {
 namespace {
 
-/// Of the effects of an action that was only seen, never planned yet.
+/// Noise of the rule of an action that was only observed, never planned.
 constexpr double kNoise = 0.05;
 
 std::shared_ptr<const SceneWords> WordsOf(const ActionModels& actions) {
@@ -27,7 +27,7 @@ const ActionModel* Find(const ActionModels& actions, const std::string& name) {
   return nullptr;
 }
 
-/// An action that nobody has described: it does what was seen of it.
+/// An action without a description in the domain: its effects are those seen.
 Action ActionOf(const SecLearner::Action& learned) {
   const LearnedModel& model = learned.model;
   NdrRule rule;
@@ -104,7 +104,7 @@ void Learning::WidenTo(const std::vector<Variable>& arguments, size_t group,
 
 void Learning::OnRecord(const std::string& name, const ActionModels& actions) {
   has_news_ = true;
-  if (requested_.erase(name) > 0) return;  // it says what this asked for
+  if (requested_.erase(name) > 0) return;  // the answer to its own request
   const ActionModel* model = Find(actions, name);
   if (model != nullptr && model->sec) {
     learner_.Know(name, *model->sec);

@@ -28,14 +28,14 @@ class Learning {
   /// it undoes the action. What is known now, in plain words.
   Result<std::string> Name(const std::string& name, bool is_undone,
                            const ActionModels& actions);
-  /// The library's word on an action: what is shown from now on refines it.
+  /// A record from the library: later showings of the action refine it.
   void OnRecord(const std::string& name, const ActionModels& actions);
 
   /// What has only confirmed an action is kept now, too.
   void OnDemonstrationEnd();
 
   /// Records that say something else than `actions`, each once: until the
-  /// library has answered, nothing more is said of that action.
+  /// library has answered, that action is left out.
   std::vector<ActionRecord> TakeChanges(const ActionModels& actions);
   /// The library refused what was asked for.
   void OnRefusal() { requested_.clear(); }

@@ -11,7 +11,7 @@
 
 namespace cell::recognizer {
 
-/// A part in somebody's hands, from the pick-up on, with every action in every
+/// A part in a person's hands, from the pick-up on, with every action in every
 /// roles that the key frames so far may turn out to be.
 class Manipulation {
  public:

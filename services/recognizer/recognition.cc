@@ -71,8 +71,8 @@ std::vector<std::string> Recognition::HandsOn(const std::string& part,
   return hands;
 }
 
-// Those placed come in an order in which who may have been carried stands
-// before who may have carried him: picked up later, or lying higher.
+// Orders the placed parts: one that was picked up later, or lies higher, may
+// have been carried, and comes before the one that may have carried it.
 void Recognition::UpdateHeld(const std::shared_ptr<const SensedFrame>& now,
                              std::vector<Manipulation>& placed) {
   const KeyFrame& frame = now->frame;

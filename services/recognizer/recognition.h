@@ -67,7 +67,7 @@ class Recognition {
     library_ = std::move(library);
   }
 
-  /// Of parts that are in somebody's hands now.
+  /// Of parts that are in hands now.
   const std::map<std::string, Manipulation>& manipulations() const {
     return manipulations_;
   }

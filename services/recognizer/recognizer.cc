@@ -95,7 +95,7 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
 }
 
 bool Recognizer::OnRecord(const action_record_t& message) {
-  const auto update = actions_.Take(FromMessage(message));
+  const auto update = actions_.Apply(FromMessage(message));
   if (update && *update == ActionModels::Update::kChanged) {
     recognition_->Use(params_.make_library(actions_));
     if (learning_) learning_->OnRecord(message.name, actions_);

@@ -23,7 +23,7 @@ namespace cell::recognizer {
 
 /// KEY_FRAME -> ACTION: names manipulations, forward or reversed, and tells
 /// unknown ones (section VII-A). ACTION_RECORD replaces what it knows of an
-/// action; who joins an episode that runs asks for them by LIBRARY_REQUEST.
+/// action; after a restart during an episode it sends a LIBRARY_REQUEST.
 ///
 /// If it learns, COMMAND_NAME names the manipulation that was reported last,
 /// and what was learned goes to the library by STORE_REQUEST.
@@ -62,7 +62,7 @@ class Recognizer final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
-  ActionModels actions_;                      // as the library has told them
+  ActionModels actions_;                      // updated by ACTION_RECORD
   std::optional<Learning> learning_;          // if it learns
   std::string demonstration_;                 // that is shown
   std::unique_ptr<Recognition> recognition_;  // of the episode

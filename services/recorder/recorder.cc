@@ -40,7 +40,7 @@ void Recorder::OnTick(const Message& message) {
   const bool is_joining = is_first_tick_;
   is_first_tick_ = false;
   if (is_joining && k > 0) {
-    // What the clock published in the tick of joining did not reach us.
+    // What the clock published in the tick of joining was not received.
     const auto self =
         std::find_if(tick->joined.begin(), tick->joined.end(),
                      [](const joined_t& j) { return j.name == "recorder"; });

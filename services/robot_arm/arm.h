@@ -43,13 +43,13 @@ class Arm {
   SceneMonitor& monitor() { return monitor_; }
   MotionClient& client() { return client_; }
 
-  /// One tick of `dt` [s] with what its devices say.
+  /// One tick of `dt` [s] with the readings of its devices.
   void Update(const ArmReading& reading, double dt);
   const ArmReading& reading() const { return reading_; }
   /// Its next command. @pre is_known().
   ArmCommand& command() { return *command_; }
   const ArmCommand& command() const { return *command_; }
-  /// Its device has spoken.
+  /// True once its device has sent a state.
   bool is_known() const { return command_.has_value(); }
 
   /// The part in the gripper; nothing: none, or it is not known which.
@@ -65,8 +65,8 @@ class Arm {
   /// The part that the fingers are around.
   std::optional<std::string> FindGrasped() const;
 
-  /// Among things: it draws back before it turns away. Nothing: not known, as
-  /// after a stop.
+  /// True if it may be among parts: it draws back before it turns away.
+  /// Nothing: not known, e.g. after a stop.
   std::optional<bool> is_near;
   bool is_releasing = false;  ///< that it holds nothing soon is no loss
 

@@ -8,7 +8,7 @@
 
 namespace cell::robot_arm {
 
-/// What an arm's servos, gripper and sensor say in a tick.
+/// The readings of an arm's servos, gripper and sensor in a tick.
 struct ArmReading {
   Joints q = Joints::Zero();   ///< [rad]
   Joints dq = Joints::Zero();  ///< [rad/s]

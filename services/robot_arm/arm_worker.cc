@@ -79,7 +79,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading,
   if (reading.is_stopped) {
     if (run_) {
       End(run_->Stop("protective stop: " + reading.why_stopped));
-      // Nothing need be as it was: everything is found out again.
+      // Nothing is assumed to be unchanged: everything is determined again.
       arm_.ForgetHeld();
       arm_.is_near.reset();
     }
@@ -92,8 +92,7 @@ ArmCommand ArmWorker::Step(const ArmReading& reading,
   return arm_.command();
 }
 
-/// Before it would come too near: people come first, then the arm that goes
-/// first.
+/// True if it would come too near to people, or else to an arm with precedence.
 bool ArmWorker::MustYield(double dt) {
   const ArmCommand& command = arm_.command();
   const ArmPosture now{command.q, command.grip, command.opening};

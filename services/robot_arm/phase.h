@@ -12,7 +12,7 @@ enum class Contact : int8_t {
   kPartsAndTable = 2  ///< also the table: it is taken or put down
 };
 
-/// What an arm is at, for people, and what contact that permits.
+/// What an arm is doing, for people, and which contact that permits.
 struct Phase {
   std::string name;  ///< in plain words; empty: nothing
   Contact contact = Contact::kNone;

@@ -21,7 +21,7 @@ SkillRun::SkillRun(Arm& arm, const Skill& skill, SkillRequest request)
   Plan();
 }
 
-/// What a skill that was cut short has left the hand at comes first.
+/// First the arm moves clear of what an interrupted skill has left it at.
 void SkillRun::Plan() {
   stages_.Clear();
   if (arm_.SiteOfHeld() != nullptr) {

@@ -50,7 +50,7 @@ class SkillRun {
   /// Until the fingers hold the part, in its place.
   void Grasp(const TargetMaker& target = {});
   /// The same, and lifts it.
-  void Take(const TargetMaker& target = {});
+  void PickUp(const TargetMaker& target = {});
   /// To where it is to be put: a request of kPlace or kSetDown for what is
   /// held.
   void Carry(std::function<Result<MotionRequest>()> place);

@@ -50,7 +50,7 @@ void SkillRun::Grasp(const TargetMaker& target) {
   Add({"open"}, [this] { return Fingers(grasp_.opening, Until::kThere); });
   Add({"go to " + part}, [this] { return Transit(grasp_.q_approach); });
   WaitForHands(place, [this, part] {
-    // Where a person has put it now it wants another grasp.
+    // A person has moved it: it needs another grasp.
     if (HasMoved(X_WO_grasp_, arm_.poses().at(part))) Plan();
   });
   Add({"reach"}, [this, part] {
@@ -73,7 +73,7 @@ void SkillRun::Grasp(const TargetMaker& target) {
       });
 }
 
-void SkillRun::Take(const TargetMaker& target) {
+void SkillRun::PickUp(const TargetMaker& target) {
   Grasp(target);
   Add(
       {"lift", Contact::kPartsAndTable},

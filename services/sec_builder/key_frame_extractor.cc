@@ -96,7 +96,7 @@ void KeyFrameExtractor::UpdatePairs(int64_t utime,
     if (IsGone(pair.first, utime) || IsGone(pair.second, utime)) {
       change = filter.Lose(utime);
     } else if (proximity != proximities.end()) {
-      change = filter.See(utime, proximity->second);
+      change = filter.Update(utime, proximity->second);
     } else {
       filter.Hide();
     }
@@ -109,7 +109,7 @@ void KeyFrameExtractor::UpdatePairs(int64_t utime,
       [](const Change& a, const Change& b) { return a.onset < b.onset; });
 }
 
-// True while a change that began by `window_end` may still come to be known.
+// True while a change that began by `window_end` may still be confirmed.
 bool KeyFrameExtractor::IsOpen(int64_t utime, int64_t window_end) const {
   return utime < window_end ||
          std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {

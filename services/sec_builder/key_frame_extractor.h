@@ -19,8 +19,8 @@ namespace cell::sec_builder {
 /// is dated back to the first of them and comes as soon as none that belongs to
 /// it can still be confirmed.
 ///
-/// The chain is that of the parts: hands that touch each other, a person's an
-/// arm's gripper, are no event. Key frames say so of them all the same.
+/// The events are those of the parts: contact between two hands (a person's and
+/// a gripper) is none, although the relations of key frames include it.
 class KeyFrameExtractor {
  public:
   struct Params {

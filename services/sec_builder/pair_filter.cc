@@ -15,8 +15,8 @@ Relation PairFilter::Shown(const Proximity& proximity) const {
                                         : Relation::kTouching;
 }
 
-std::optional<PairFilter::Change> PairFilter::See(int64_t utime,
-                                                  const Proximity& proximity) {
+std::optional<PairFilter::Change> PairFilter::Update(
+    int64_t utime, const Proximity& proximity) {
   const Relation shown = Shown(proximity);
   const bool is_near = proximity.distance < params_.touch;
   if (is_near || relation_ == Relation::kNotTouching) {

@@ -32,16 +32,17 @@ class PairFilter {
   /// Takes the relation that the proximity shows, at once.
   void Start(const Proximity& proximity) { relation_ = Shown(proximity); }
 
-  /// The change that is confirmed by what is seen at `utime`, if any.
-  std::optional<Change> See(int64_t utime, const Proximity& proximity);
-  /// The pair cannot be seen now: what is known of it holds.
+  /// Takes the proximity at `utime`; returns the change that it confirms, if
+  /// any.
+  std::optional<Change> Update(int64_t utime, const Proximity& proximity);
+  /// The pair cannot be measured now: its relation stays the same.
   void Hide();
   /// One of the pair is gone.
   std::optional<Change> Lose(int64_t utime);
 
   Relation relation() const { return relation_; }
-  /// When the change began that is not yet confirmed at `utime`, or a release
-  /// that may still come and be dated back.
+  /// Begin of a change that is not yet confirmed at `utime`, or of a release
+  /// that may still be confirmed and dated back.
   std::optional<int64_t> pending_since(int64_t utime) const;
 
  private:

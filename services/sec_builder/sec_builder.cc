@@ -28,7 +28,7 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
   if (!tracks || (last_utime_ && tracks->utime <= *last_utime_)) return false;
   if (episode_.IsBefore(tracks->utime)) return true;
   last_utime_ = tracks->utime;
-  // A life that begins within an episode has seen fewer key frames than ticks.
+  // Indices go on after a restart: an episode has fewer key frames than ticks.
   if (!first_index_) first_index_ = bus_.tick();
   for (KeyFrame& frame : builder_.Update(*tracks)) {
     frame.index += *first_index_;

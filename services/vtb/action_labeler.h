@@ -25,7 +25,7 @@ struct LabeledAction {
   int64_t place_utime = 0;
 };
 
-/// Watches the world and knows what was done: ground truth for scorers. It
+/// Labels the actions in the world: ground truth for scorers. It
 /// looks at grips and seats alone, not at what the person meant to do. A part
 /// that goes from one site to another is two actions; one that comes to stand
 /// where it stood is none.

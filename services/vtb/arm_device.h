@@ -18,8 +18,8 @@ namespace cell::vtb {
 
 /// One arm as the cell's services meet it: ARM_SETPOINT_<ARM> in, every tick
 /// ARM_STATE_<ARM> out and, if it has a sensor, WRENCH_<ARM>; ARM_STOP_<ARM>
-/// says why it has stopped. In a real cell a
-/// driver of the robot says the same. Simplification: the arm is as stiff as
+/// says why it has stopped. In a real cell
+/// a driver of the robot does the same. Simplification: the arm is as stiff as
 /// its servo, nothing pushes it.
 class ArmDevice {
  public:

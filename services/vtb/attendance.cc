@@ -12,7 +12,7 @@ void Attendance::OnMode(bool is_hold, const std::string& reason, int32_t tick) {
   reason_ = reason;
 }
 
-std::optional<std::string> Attendance::WhyInVain(int32_t tick) const {
+std::optional<std::string> Attendance::GiveUpReason(int32_t tick) const {
   if (!patience_ || is_attended_ || !hold_tick_) return std::nullopt;
   const int32_t waited = tick - *hold_tick_;
   if (waited < *patience_) return std::nullopt;

@@ -6,21 +6,21 @@
 
 namespace cell::vtb {
 
-/// Tells when a run waits in vain for an operator: the cell holds, and nobody
-/// has said anything for so long. Once an operator has spoken there is one, and
-/// waiting is right. A value; times in ticks.
+/// Decides when a run gives up waiting for an operator: the cell is held, and
+/// no operator has sent a command for so long. After any command of an operator
+/// the run waits without a limit. A value; times in ticks.
 class Attendance {
  public:
-  /// `patience`: nothing if an operator is known to be there.
+  /// `patience`: nullopt if an operator is known to be there.
   explicit Attendance(std::optional<int32_t> patience) : patience_(patience) {}
 
-  void HearOperator() { is_attended_ = true; }
-  /// What the supervisor says. `reason` of a hold, in plain words.
+  void OnOperator() { is_attended_ = true; }
+  /// The mode from the supervisor. `reason` of a hold, in plain words.
   void OnMode(bool is_hold, const std::string& reason, int32_t tick);
-  /// Forgets a hold, not the operator.
+  /// Forgets the hold, but not that there is an operator.
   void BeginEpisode() { hold_tick_.reset(); }
-  /// Why waiting is in vain; nothing if it is not.
-  std::optional<std::string> WhyInVain(int32_t tick) const;
+  /// Why the run should end; nullopt while it should wait.
+  std::optional<std::string> GiveUpReason(int32_t tick) const;
 
  private:
   std::optional<int32_t> patience_;

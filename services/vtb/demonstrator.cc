@@ -161,7 +161,7 @@ void Demonstrator::Update(double dt, World& world) {
   }
 }
 
-/// What is out of the ordinary happens while both hands are free.
+/// Planned events, such as mistakes, begin only while both hands are free.
 void Demonstrator::Decide(World& world) {
   const bool is_event_running =
       std::ranges::any_of(hands_, [](const Hand& hand) {
@@ -185,7 +185,7 @@ void Demonstrator::Decide(World& world) {
   }
 }
 
-/// Books what the hands have finished.
+/// Records the placements that the hands have finished.
 void Demonstrator::BookFinished() {
   for (Hand& hand : hands_) {
     if (!hand.actor.is_idle() || hand.placement < 0 || hand.is_fetched) {
@@ -238,8 +238,8 @@ bool Demonstrator::IsWayFree(const HandActor& actor, const World& world) const {
   });
 }
 
-/// What a planned mistake needs stays as it is: of the conditions of a rule to
-/// be broken the last, of the parts to be laid outside one.
+/// Keeps what a planned mistake needs: the last condition of the rule to be
+/// broken, and one of the parts to be laid outside.
 bool Demonstrator::WouldSpoilMistake(const Placement& placement,
                                      const World& world) const {
   const auto is_planned = [&](EventKind kind) {
@@ -287,8 +287,8 @@ bool Demonstrator::StartPlacing(Hand& hand, size_t index, bool only_fetch,
   Placement& placement = placements_[index];
   const std::string part = AnyOf(FreeParts(placement.rule->part_type, world));
   HandActor trial = hand.actor;
-  trial.Take(part, "");
-  if (!only_fetch) trial.Put(part, {placement.rule, placement.site});
+  trial.PickUp(part, "");
+  if (!only_fetch) trial.Place(part, {placement.rule, placement.site});
   trial.GoToRest();
   if (!IsWayFree(trial, world)) return false;
   hand = {trial, static_cast<int>(index), only_fetch};
@@ -302,7 +302,7 @@ void Demonstrator::CarryOn(Hand& hand, World& world) {
   const Placement& placement = placements_[static_cast<size_t>(hand.placement)];
   if (!IsReady(placement, false)) return;
   HandActor trial = hand.actor;
-  trial.Put(placement.part, {placement.rule, placement.site});
+  trial.Place(placement.part, {placement.rule, placement.site});
   trial.GoToRest();
   if (IsWayFree(trial, world)) hand = {trial, hand.placement, false};
 }
@@ -449,8 +449,8 @@ void Demonstrator::PutOnTable(const std::string& part,
   HandActor& actor = hands_[std::uniform_int_distribution<size_t>(
                                 0, hands_.size() - 1)(random_)]
                          .actor;
-  actor.Take(part, from_site);
-  actor.Put(part, target);
+  actor.PickUp(part, from_site);
+  actor.Place(part, target);
   actor.GoToRest();
 }
 

@@ -107,18 +107,18 @@ bool DisturbanceModel::Disturb(const World& world) {
       0, parts.size() - 1)(random_)];
   const auto X_WO = Somewhere(part, world);
   if (!X_WO) return false;
-  hand_.Take(part, "");
+  hand_.PickUp(part, "");
   if (kind == Kind::kReturn) {
     hand_.GoToRest();
     hand_.Pause(kHoldTime);
   }
-  hand_.Put(part, {nullptr, "", *X_WO});
+  hand_.Place(part, {nullptr, "", *X_WO});
   hand_.GoToRest();
   return true;
 }
 
-/// Some part where it belongs and can go now. A person sees what an arm is
-/// about to place, and leaves such sites to it.
+/// Places a part at its site, if some can go there now. Leaves to the arms the
+/// sites that they are about to fill.
 bool DisturbanceModel::PlaceSomething(const World& world) {
   std::vector<std::string> taken;
   for (const ArmLayout& arm : world.layout().arms) {
@@ -156,8 +156,8 @@ bool DisturbanceModel::Place(const Placement& placement, const World& world) {
   if (part == nullptr || site == nullptr) return false;
   for (const auto& [name, rule] : demonstrations_->rules) {
     if (rule.part_type != part->type || rule.site_type != site->type) continue;
-    hand_.Take(placement.part, "");
-    hand_.Put(placement.part, {&rule, placement.site});
+    hand_.PickUp(placement.part, "");
+    hand_.Place(placement.part, {&rule, placement.site});
     hand_.GoToRest();
     return true;
   }

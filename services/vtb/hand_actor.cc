@@ -22,13 +22,13 @@ void HandActor::Do(const HandAction& action) {
   stages_.insert(stages_.end(), action.begin(), action.end());
 }
 
-void HandActor::Take(const std::string& part, const std::string& from_site) {
+void HandActor::PickUp(const std::string& part, const std::string& from_site) {
   Do(hand_action::Reach(part));
   Do(hand_action::Grasp(part));
   if (!from_site.empty()) Do(hand_action::Extract(from_site));
 }
 
-void HandActor::Put(const std::string& part, const Target& target) {
+void HandActor::Place(const std::string& part, const Target& target) {
   Do(hand_action::Carry(part, target));
   Do(hand_action::Insert(part, target));
   Do(hand_action::Turn(part, target));

@@ -13,18 +13,18 @@
 namespace cell::vtb {
 
 /// One hand of a person at work: runs the stages of its actions one after the
-/// other, watching what it does. A value: a copy goes on in the same way.
+/// other, with feedback. A value: a copy goes on in the same way.
 class HandActor {
  public:
   HandActor(std::string hand, const HumanMotionParams& human_motion,
             const World& world);
 
-  /// To be done after all that is to be done already.
+  /// Appends the stages of the action.
   void Do(const HandAction& action);
   /// Reaches for the part and holds it, clear of the site where it is.
-  void Take(const std::string& part, const std::string& from_site);
+  void PickUp(const std::string& part, const std::string& from_site);
   /// Brings a held part there and lets go.
-  void Put(const std::string& part, const Target& target);
+  void Place(const std::string& part, const Target& target);
   void GoToRest();
   void Pause(double duration);
 
@@ -36,7 +36,7 @@ class HandActor {
   const std::string& hand() const { return hand_.name; }
   /// Parts that did not seat or move in spite of all tries.
   const std::vector<std::string>& failures() const { return hand_.failures; }
-  /// Where in the plane its stages still lead it, from where it is.
+  /// The rest of its way in the plane, from its present position.
   std::vector<Eigen::Vector2d> WayAhead(const World& world) const;
 
  private:

@@ -87,7 +87,7 @@ struct HumanMotionParams {
 
 struct Demonstrations {
   std::string goal;  ///< of the task's domain, that the persons work for
-  /// Scripts of a run that is told none, an episode each.
+  /// Scripts of a run that names none, an episode each.
   std::vector<std::string> default_episodes;
   HumanMotionParams human_motion;
   /// Scripts that show a cell all its actions, one demonstration each.

@@ -97,7 +97,7 @@ void SleepingBodies::Wake(size_t part) {
   for (size_t i = 0; i < memory_.size(); ++i) {
     if (memory_[i].group != group) continue;
     SetCollides(i, true);
-    // Asleep it seems to fall: no start for the solver.
+    // While asleep it has the acceleration of a fall: a bad warm start.
     std::fill_n(data_.qacc_warmstart + bodies_[i].dof, bodies_[i].num_dofs,
                 mjtNum{0});
     memory_[i] = {};
@@ -161,7 +161,7 @@ void SleepingBodies::AfterStep() {
     if (IsAsleep(part)) {
       Hold(part);
     } else {
-      Notice(part);
+      CountStillSteps(part);
     }
   }
   for (size_t part = 0; part < memory_.size(); ++part) {
@@ -180,7 +180,7 @@ void SleepingBodies::Hold(size_t part) {
 }
 
 /// Counts the steps in which it has been still.
-void SleepingBodies::Notice(size_t part) {
+void SleepingBodies::CountStillSteps(size_t part) {
   Memory& memory = memory_[part];
   if (hands_.IsHeld(static_cast<int>(part))) {
     memory.num_still = 0;

@@ -82,7 +82,7 @@ class SleepingBodies {
   double SpeedBound(size_t part) const;
   bool AreNear(size_t part, size_t other) const;
   bool IsNearHand(size_t part) const;
-  void Notice(size_t part);
+  void CountStillSteps(size_t part);
   void TryToSleep(size_t part);
   void Sleep(const std::vector<size_t>& group);
   void Hold(size_t part);

@@ -122,7 +122,7 @@ void Vtb::Prepare(const Request& request) {
 
 bool Vtb::OnOperator(int64_t deadline_utime) {
   if (bus_.now() > deadline_utime) return false;
-  attendance_.HearOperator();
+  attendance_.OnOperator();
   return true;
 }
 
@@ -137,7 +137,7 @@ bool Vtb::OnMode(const operating_mode_t& message) {
 }
 
 CommandAnswer Vtb::OnCommand(const command_episode_t& message) {
-  attendance_.HearOperator();
+  attendance_.OnOperator();
   switch (message.action) {
     case command_episode_t::END:
       return EndByCommand();
@@ -227,7 +227,7 @@ void Vtb::OnTick() {
   world_.Run(steps_per_tick_);
   for (const auto& arm : arms_) arm->Publish(world_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
-  if (episode_.is_running) PublishDeeds();
+  if (episode_.is_running) PublishActions();
   if (episode_.is_running && bus_.tick() % kRunningPeriod == 0) {
     PublishEpisode(episode_t::RUNNING);
   }
@@ -238,7 +238,7 @@ void Vtb::OnTick() {
 /// that were to follow would begin with the same hold.
 bool Vtb::GiveUpWaiting() {
   if (episode_.script->agent == "person") return false;
-  const auto why = attendance_.WhyInVain(bus_.tick());
+  const auto why = attendance_.GiveUpReason(bus_.tick());
   if (!why) return false;
   alert_t alert{};
   alert.header.utime = bus_.now();
@@ -268,7 +268,7 @@ bool Vtb::IsOver() {
     return false;
   }
   ++episode_.num_still;
-  // Who asks a question may still be answered.
+  // A service that has asked a question may still be answered.
   const bool is_asking = episode_.robot_state == execution_t::STUCK;
   if (episode_.num_still < (is_asking ? kAskTicks : kRestTicks)) return false;
   if (episode_.num_still >= kMaxRestTicks) return true;
@@ -329,7 +329,7 @@ void Vtb::PublishTruth() {
   bus_.Publish("TRUTH_CONTACTS", contacts);
 }
 
-void Vtb::PublishDeeds() {
+void Vtb::PublishActions() {
   static_assert(static_cast<int>(LabeledAction::Kind::kTipped) ==
                 truth_action_t::TIPPED);
   static_assert(static_cast<int>(LabeledAction::Mistake::kOutOfWorkspace) ==
@@ -373,7 +373,7 @@ std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
   }
   params.truth_period_ticks = config.Integer("truth_period_ticks", 1, 1250);
   LoadArms(config["arms"], &params.arms);
-  // Every episode has its own chance.
+  // Every episode has random numbers of its own.
   for (const std::string& name : demonstration.empty()
                                      ? params.demonstrations.default_episodes
                                      : SplitAtPlus(demonstration)) {

@@ -25,7 +25,7 @@
 namespace cell::vtb {
 
 /// The virtual testbed (section IV): owner of time. Steps the world, the arms
-/// and the scripted person each tick, tells where everything is and what
+/// and the scripted person each tick, publishes where everything is and what
 /// touches, and begins and ends episodes, on its own or at an operator's
 /// command.
 class Vtb : public Service {
@@ -83,7 +83,7 @@ class Vtb : public Service {
   void EndOrGoOn();
   void PublishEpisode(int8_t phase);
   void PublishTruth();
-  void PublishDeeds();
+  void PublishActions();
   void End();
   bool GiveUpWaiting();
   bool IsOver();

@@ -87,7 +87,7 @@ void AskForMotions(std::map<std::string, std::vector<Bytes>>& samples) {
   samples["MOTION_PLAN"] = {Bus::Encode(ToMessage(plan, 0))};
 }
 
-// What arms say, and what is said to them.
+// Reports of arms, and messages to arms.
 void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   arm_report_t report{};
   report.request = -1;
@@ -117,7 +117,7 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   samples["EXECUTION"] = {Bus::Encode(execution)};
 }
 
-// What the library is asked: to keep actions like those that it has.
+// Requests to the library to keep actions like those that it has.
 void AskLibrary(std::map<std::string, std::vector<Bytes>>& samples) {
   library_request_t request{};
   request.id = 1;
@@ -337,7 +337,7 @@ class Targets {
   }
 
  private:
-  // Who acts on what arms say does so in an episode of theirs.
+  // Services act on the reports of arms in an episode of the robot only.
   void BeginRobot() {
     episode_t episode{};
     episode.goal = "assembled";
@@ -360,7 +360,7 @@ class Targets {
 
 class ForgedMessages : public testing::TestWithParam<const char*> {};
 
-TEST_P(ForgedMessages, KillNobodyAndAreCounted) {
+TEST_P(ForgedMessages, CrashNoServiceAndAreCounted) {
   const std::string channel = GetParam();
   ASSERT_TRUE(Corpus().contains(channel));
   const std::vector<Bytes>& samples = Corpus().at(channel);
@@ -429,7 +429,7 @@ class ForgedProtocol {
       node_->PutTick(*tick);
       node_->Advance();
     } catch (const BusError&) {
-      JoinNode();  // a second cell or life was heard; a real one would exit
+      JoinNode();  // a second cell or incarnation; a real service would exit
     }
     if (node_->is_done()) JoinNode();
   }
@@ -455,7 +455,7 @@ class ForgedProtocol {
   int num_heeded_ = 0;
 };
 
-TEST(ForgedMessages, OfTheProtocolKillNeitherClockNorNode) {
+TEST(ForgedMessages, OfTheProtocolCrashNeitherClockNorNode) {
   ForgedProtocol protocol;
   Forger forger(20260102);
   const int64_t before = UsageOfThisProcess().resident_bytes;

@@ -51,7 +51,7 @@ class Reaper {
   size_t num_to_come() const { return planned_.size(); }
   const std::vector<SimBus::Outage>& outages() const { return outages_; }
 
-  /// A death that lasts is told in time, a short one is not.
+  /// A lasting death is reported in time, a short one is not.
   void ExpectAlerts() const {
     for (const SimBus::Outage& outage : outages_) {
       const int32_t duration = outage.join_tick - outage.death_tick;
@@ -129,7 +129,7 @@ void ExpectToComplete(uint64_t seed, const std::string& service,
   reaper.ExpectAlerts();
   EXPECT_TRUE(skills.is_done()) << skills.question();
   EXPECT_THAT(cell.Score().missing, testing::IsEmpty());
-  // What runs is finished, whoever but the arm's own service dies.
+  // A running skill is finished, unless the service of its own arm dies.
   for (const skill_result_t& result : skills.results()) {
     if (service == "robot_arm@" + result.arm) continue;
     EXPECT_EQ(result.outcome, skill_result_t::SUCCEEDED)
@@ -149,7 +149,7 @@ TEST_P(DeathsOf, LeaveNothingUndoneAndDoNothingTwice) {
   ExpectToComplete(kSeed, GetParam(), deaths);
 }
 
-TEST(Deaths, OfAnArmInOtherPhasesAreGotOver) {
+TEST(Deaths, OfAnArmInOtherPhasesAreRecoveredFrom) {
   ExpectToComplete(kSeed, "robot_arm@right",
                    {{"right", {"close", 12}, kShort},
                     {"right", {"lift", 25}, kMiddle},

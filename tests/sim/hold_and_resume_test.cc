@@ -1,5 +1,5 @@
-// The operator holds the cell while it assembles, an arm stops by itself: the
-// cell stands, says why, and goes on when it is told to.
+// The operator holds the cell while it assembles, and an arm stops by itself:
+// the cell stands, reports the reason, and goes on after a resume.
 #include <gmock/gmock.h>
 
 #include <iostream>

@@ -15,7 +15,7 @@
 
 namespace cell {
 
-/// Holds the arms to the promise of the motion chain, in every tick of a run:
+/// Checks the guarantee of the motion chain in every tick of a run:
 /// without a permit set-points are frozen within 7 ticks, without set-points
 /// the servo stands by itself, and within 25 further ticks the arms rest.
 class MotionWatch {
@@ -59,10 +59,10 @@ class MotionWatch {
   void OnSetpoint(const std::string& name, const arm_setpoint_t& setpoint) {
     Arm& arm = arms_[name];
     const int32_t tick = setpoint.header.tick;
-    // A new life begins where it finds the arm.
+    // A restarted service begins where the arm is.
     const bool is_next =
         arm.setpoint && arm.setpoint->header.sender == setpoint.header.sender;
-    // After a protective stop they follow the servo, which follows nothing.
+    // After a protective stop they follow the servo, which has no set-point.
     if (is_next && !arm.is_stopped && !IsSame(*arm.setpoint, setpoint)) {
       arm.moved_tick = tick;
       const int32_t without = tick - permit_tick_;
@@ -86,7 +86,7 @@ class MotionWatch {
     }
     const int32_t commanded =
         arm.setpoint ? arm.setpoint->header.tick : permit_tick_;
-    // Nothing new has come since: it stands where the last one said.
+    // No set-point has come since: the arm stands at the last one.
     const int32_t silent = tick - std::min(permit_tick_, commanded);
     const bool is_moving = speed > kStill;
     if (silent > 1 && is_moving) {

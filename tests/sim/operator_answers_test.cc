@@ -1,5 +1,5 @@
-// Whatever an operator commands, and what is asked of the library, is answered
-// once: accepted, or refused and why.
+// Each command of an operator, and each request to the library, is answered
+// once: accepted, or refused with a reason.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 constexpr int32_t kLibraryTick = 20;  // then 21
 
-/// Asks the library for an action that it has not, then for one that it has.
+/// Asks the library for an action that it does not have, then for one it has.
 class Asker final : public Service {
  public:
   explicit Asker(Bus& bus) {
@@ -38,7 +38,7 @@ class Asker final : public Service {
   }
 };
 
-/// A cell to which an operator speaks.
+/// A cell with an operator.
 class OperatedCell {
  public:
   OperatedCell()
@@ -183,7 +183,7 @@ TEST(OperatorAnswers, AnEpisodeThatCannotBeginLeavesTheOneThatRuns) {
   cell.ExpectAccepted("COMMAND_EPISODE", 300, "episode 2 (two_pegs) has ended");
 }
 
-TEST(OperatorAnswers, TheLibrarySaysWhatItHasNot) {
+TEST(OperatorAnswers, TheLibraryReportsAnActionThatItDoesNotHave) {
   OperatedCell cell;
   cell.Run();
   cell.ExpectRefused("LIBRARY_REQUEST", kLibraryTick, "99");

@@ -20,8 +20,8 @@
 
 namespace cell {
 
-/// Sees in every run that nothing is executed twice, and that nothing is begun
-/// without a leave.
+/// Checks in every run that nothing is executed twice, and that nothing is
+/// begun without permission.
 class SkillWatch {
  public:
   explicit SkillWatch(AssemblingCell& cell) : cell_(cell) {

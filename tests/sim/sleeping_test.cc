@@ -148,7 +148,7 @@ TEST_F(Sleeping, AnAssemblySleepsToo) {
   EXPECT_LT(ShiftIfAwake(), 2e-5);
 }
 
-TEST_F(Sleeping, WhatSleepersTouchIsReported) {
+TEST_F(Sleeping, ContactsOfSleepingPartsAreReported) {
   Place("separator", Upright(0.6, 0.8, 0.03));  // on the face plate
   Run(1000);
   ExpectAllAsleep();
@@ -236,7 +236,7 @@ TEST_F(Sleeping, APartIsPushedSlowlyAsIfItHadNeverSlept) {
   EXPECT_GT(pushed, 0.005);
 }
 
-TEST_F(Sleeping, AFastPartDoesNotPassThroughASleeper) {
+TEST_F(Sleeping, AFastPartDoesNotPassThroughASleepingOne) {
   Place("separator", Upright(-0.5, 0.3, 0));
   Place("pendulum", Upright(-0.5, -0.35, 0.004));
   Grip(kHand, "pendulum");
@@ -252,7 +252,7 @@ TEST_F(Sleeping, AFastPartDoesNotPassThroughASleeper) {
   EXPECT_GT(world_.PoseOf("separator").translation().y(), 0.6);
 }
 
-TEST_F(Sleeping, APartLandsOnASleeper) {
+TEST_F(Sleeping, APartLandsOnASleepingOne) {
   Run(1000);
   Place("separator", Upright(0.6, 0.8, 0.25));
   for (int step = 0; step < 1000; ++step) {
@@ -443,7 +443,7 @@ TEST_F(Sleeping, ASnapshotTakenInMidSleepContinuesBitForBit) {
   EXPECT_TRUE(AreSame(first, other.Bodies()));
 }
 
-TEST_F(Sleeping, ARestoredWorldReportsWhatItsSleepersTouch) {
+TEST_F(Sleeping, ARestoredWorldReportsContactsOfSleepingParts) {
   Run(1000);
   World other = MakeWorld({.sleep = true});
   other.Restore(world_.Save());

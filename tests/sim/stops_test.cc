@@ -65,7 +65,7 @@ class Resumer {
   int num_stops_ = 0;
 };
 
-TEST(Stops, WhatIsScrewedInIsLetGoOfAfterAProtectiveStopAndNotCarriedOff) {
+TEST(Stops, AScrewedInPartIsReleasedAfterAProtectiveStopAndNotCarriedAway) {
   AssemblingCell cell(1001, {}, WithStopForce("16"));
   const Resumer resumer(cell);
   const SkillWatch skills(cell);
@@ -85,7 +85,7 @@ TEST(Stops, WhatIsScrewedInIsLetGoOfAfterAProtectiveStopAndNotCarriedOff) {
 /// Every seed stops other stages in other ways (`cell eval stops`).
 class StopsInEverySkill : public testing::TestWithParam<uint64_t> {};
 
-TEST_P(StopsInEverySkill, MoveNothingThatWasPlacedAndAreGotOver) {
+TEST_P(StopsInEverySkill, MoveNoPlacedPartAndAreRecoveredFrom) {
   const auto success = SuccessCriterion::Load(ShippedDeployment());
   AssemblingCell cell(GetParam());
   StopInjector stops(cell.bus(), success, GetParam());

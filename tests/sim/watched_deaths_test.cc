@@ -1,5 +1,5 @@
-// A person is watched while those who watch die: nothing that was placed goes
-// unexplained.
+// A person is watched while services that watch die: every placement is
+// explained or reported.
 #include <gmock/gmock.h>
 
 #include <string>
@@ -75,7 +75,7 @@ const WatchedCell& Undisturbed() {
   return cell;
 }
 
-TEST(WatchedDeaths, WithoutOneEveryPlacementIsRecognisedAndNothingUnseen) {
+TEST(WatchedDeaths, WithoutOneEveryPlacementIsRecognised) {
   ASSERT_EQ(Undisturbed().placements().size(), 2u);
   for (const auto& placement : Undisturbed().placements()) {
     EXPECT_THAT(Undisturbed().reported(), HasSubstr(placement.part));
@@ -83,8 +83,8 @@ TEST(WatchedDeaths, WithoutOneEveryPlacementIsRecognisedAndNothingUnseen) {
   EXPECT_EQ(Undisturbed().num_unseen(), 0) << Undisturbed().reported();
 }
 
-// The recognizer misses a placement; whoever knew of it dies, too.
-TEST(WatchedDeaths, OfTheRecognizerAndThenThePlannerLeaveNothingUntold) {
+// The recognizer misses a placement; then the planner dies, which had seen it.
+TEST(WatchedDeaths, OfTheRecognizerAndThenThePlannerLeaveNothingUnreported) {
   const int32_t tick = Undisturbed().placements().front().tick;
   const WatchedCell cell({{"recognizer", tick - 60, tick + 40},
                           {"planner", tick + 60, tick + 90}});

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs a bare Debian 12 in the new folder ROOT and does there what the README
-# says, from top to bottom: first its commands, beginning with scripts/demo on
+# lists, from top to bottom: first its commands, beginning with scripts/demo on
 # this commit, then, booted without a network, those of a cell that stays. Prints
 # each line, what came of it and how long it took; docs/bare_debian.txt is such a
 # transcript. scripts/test is left out. As root, with debootstrap and

@@ -67,8 +67,8 @@ TEST_F(CameraCommand, FramesAreTheSameOverLcmAndInOneProcessAndReplay) {
   EXPECT_THAT(replay.output, HasSubstr("camera_set@3"));
 }
 
-// What nobody asked for costs nothing and changes nothing.
-TEST_F(CameraCommand, WhoDoesNotAskForCamerasHasTheSameRunWithoutThem) {
+// Without --cameras nothing else of the run changes.
+TEST_F(CameraCommand, WithoutCamerasTheRestOfTheRunIsTheSame) {
   auto with = Digests(Hash("sim --cameras" + kShort + "--out a"));
   auto without = Digests(Hash("sim" + kShort + "--out b"));
   EXPECT_THAT(TextOf(dir_ / "b" / "deploy" / "config" / "roster.yaml"),
@@ -76,7 +76,7 @@ TEST_F(CameraCommand, WhoDoesNotAskForCamerasHasTheSameRunWithoutThem) {
   for (const char* channel : {"FRAME_1", "FRAME_2", "FRAME_3"}) {
     EXPECT_EQ(with.erase(channel), 1u);
   }
-  // All speak of themselves there.
+  // STATUS has rows of all services.
   with.erase("STATUS");
   without.erase("STATUS");
   EXPECT_EQ(with, without);
@@ -88,14 +88,15 @@ TEST_F(CameraCommand, AKilledSetIsMissedAndComesBack) {
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output,
               HasSubstr("camera_set@2: killed by signal 9, restarted"));
-  std::set<int32_t> lives;
+  std::set<int32_t> incarnations;
   const RunLog log = RunLog::Load(dir_ / "a");
   for (const auto& [k, tick] : log.ticks()) {
     for (const Message& message : tick.messages) {
-      if (message.channel == "FRAME_2") lives.insert(message.sender / 1000);
+      if (message.channel == "FRAME_2")
+        incarnations.insert(message.sender / 1000);
     }
   }
-  EXPECT_THAT(lives, testing::ElementsAre(0, 1));
+  EXPECT_THAT(incarnations, testing::ElementsAre(0, 1));
   const ShellResult replay = Cell("replay a --check --service camera_set@2");
   EXPECT_EQ(replay.code, 0) << replay.output;
 }
@@ -151,7 +152,7 @@ TEST_F(CameraCommand, ARosterWithoutCamerasSaysSo) {
   const fs::path yaml = dir_ / "deploy" / "config" / "roster.yaml";
   const std::string text = TextOf(yaml);
   std::ofstream(yaml) << text.substr(0, text.find("  - {name: camera_set@1"));
-  // Who is not there is not to be missed.
+  // The supervisor must not wait for services that are not there.
   const fs::path table = dir_ / "deploy" / "config" / "supervisor.yaml";
   const std::string missed = TextOf(table);
   std::ofstream(table) << missed.substr(0, missed.find("  camera_set@1"));

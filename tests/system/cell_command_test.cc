@@ -339,8 +339,8 @@ TEST_F(CellCommand, WithoutAMulticastRouteAServiceSaysWhatToDo) {
   EXPECT_THAT(run.output, HasSubstr("ip route add 224.0.0.0/4 dev lo"));
 }
 
-// Services started by hand on a private network, and an operator who says what
-// makes no sense, then ends the episode.
+// Services started by hand on a private network, and an operator who sends an
+// invalid command, then ends the episode.
 TEST_F(CellCommand, AnOperatorIsAnsweredByARunningCell) {
   const std::string bin = CELL_BIN_DIR;
   std::ofstream(dir_ / "run.sh")
@@ -413,7 +413,7 @@ TEST_F(CellCommand, TheReadmesCommandsRun) {
     num_different += fresh.pixels[i] != shown.pixels[i];
   }
   EXPECT_LE(num_different, fresh.pixels.size() / 100)
-      << "draw docs/assembled.png and docs/assembled_ids.png anew, by `cell "
+      << "draw docs/assembled.png and docs/assembled_ids.png again, by `cell "
          "view` as in the README, with --ids for the second";
 }
 

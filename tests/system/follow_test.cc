@@ -1,4 +1,4 @@
-// Stock tools around the cell: lcm-logger writes a run at the speed of life,
+// Stock tools around the cell: lcm-logger writes a run in real time,
 // lcm-logplayer plays it into services that follow.
 #include <gmock/gmock.h>
 
@@ -32,7 +32,7 @@ wait $first && wait $second
   }
 };
 
-TEST_F(Follow, ServicesBehindAStockLogDoAsTheRecordedOnesDid) {
+TEST_F(Follow, ServicesThatFollowAStockLogPublishWhatItHolds) {
   const ShellResult run = RunBesideLcmLogger(dir_, "--seed 3 --pace realtime");
   ASSERT_EQ(run.code, 0) << run.output;
   const ShellResult convert = Cell("log convert stock --out canonical");

@@ -20,7 +20,7 @@ namespace cell {
 /// from there to the machine's own network. All of it is gone with the process.
 class HostNetwork {
  public:
-  /// While it lives, what its thread opens and starts is on a host.
+  /// While this object exists, its thread opens and starts things on a host.
   class Stay {
    public:
     Stay(int host, int home) : home_(home) { Enter(host); }

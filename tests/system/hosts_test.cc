@@ -1,5 +1,5 @@
-// A live cell on three hosts (docs/operating.md): what is said on one is heard
-// and logged on another, whole; unless nobody has let it leave.
+// A live cell on three hosts (docs/operating.md): each host receives all
+// messages of the others, and the log is complete; with a ttl of 0 none leave.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ const std::map<std::string, Names> kServicesOn = {
     {"watching", {"tracker", "sec_builder", "recognizer"}},
     {"logging", {"recorder"}}};
 
-// What is heard on a host.
+// The messages received on a host.
 struct Ear {
   explicit Ear(const LcmAddress& address)
       : main(address.MainUrl()), control(address.ControlUrl()) {
@@ -219,7 +219,7 @@ size_t CheckFrames(const LiveLog& log) {
   return longest;
 }
 
-TEST_F(Hosts, HearAndLogSmallMessagesAndFramesWhole) {
+TEST_F(Hosts, ReceiveAndLogSmallMessagesAndWholeFrames) {
   StartAll(kTogether);
   ASSERT_TRUE(
       AwaitOn("logging", {"TRACKS", "FRAME_1", "FRAME_2", "FRAME_3"}, 40));
@@ -250,7 +250,7 @@ TEST_F(Hosts, HearAndLogSmallMessagesAndFramesWhole) {
   EXPECT_GT(CheckFrames(LiveLog::Load(RunOn("logging"))), kOneDatagram);
 }
 
-TEST_F(Hosts, HearNothingOfEachOtherWithoutATtl) {
+TEST_F(Hosts, ReceiveNothingFromEachOtherWithoutATtl) {
   StartAll(kAlone);
   ASSERT_TRUE(
       AwaitOn("devices", {"TRUTH_POSES", "FRAME_1", "FRAME_2", "FRAME_3"}, 10));
@@ -262,7 +262,7 @@ TEST_F(Hosts, HearNothingOfEachOtherWithoutATtl) {
       << "the log holds steps of other hosts' services";
 }
 
-TEST_F(Hosts, AreNotReachedByATtlThatNobodyAllowed) {
+TEST_F(Hosts, RefuseATtlWithoutAllowNetwork) {
   const auto stay = network_->On("devices");
   for (const std::string program : {"tracker", "vtb"}) {
     const ShellResult run =
@@ -279,14 +279,14 @@ TEST_F(Hosts, AreNotReachedByATtlThatNobodyAllowed) {
   }
 }
 
-TEST_F(Hosts, HaveNoStartThatLiesAhead) {
+TEST_F(Hosts, RefuseAStartInTheFuture) {
   const ShellResult run = Cell("prepare --state-dir . --start 9999999999");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.output, HasSubstr("--start 9999999999: is in the future"));
   EXPECT_FALSE(fs::exists(dir_ / "runs"));
 }
 
-TEST_F(Hosts, AreWellForADoctorWhoIsToldOfThem) {
+TEST_F(Hosts, PassTheDoctorWithSeveralHosts) {
   const auto stay = network_->On("devices");
   const std::string doctor = std::string("doctor --url '") + kTogether + "'";
   const ShellResult told = Cell(doctor + " --several-hosts");

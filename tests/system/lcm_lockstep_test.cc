@@ -50,10 +50,9 @@ class Listener {
     WaitForAny({&port_}, 5);
     port_.Drain();
   }
-  /// All TICKs that were heard are the expected ones, the last among them: it
-  /// vouches for those before it (previous_digest). Waits for it: on a busy
-  /// machine it may still be on its way, and another may be lost for a
-  /// listener.
+  /// All TICKs that were received are the expected ones, and the last is among
+  /// them: it proves those before it (previous_digest). Waits for it: on a busy
+  /// machine it may still be on its way, and a listener may lose another one.
   void Expect(const std::vector<int64_t>& expected) {
     const auto last = static_cast<int32_t>(expected.size()) - 1;
     for (int i = 0; i < kMaxListens && !digests_.contains(last); ++i) Listen();
@@ -140,7 +139,7 @@ TEST_F(LcmLockstep, GivesTheSameBytesAsOneProcessInAnyStartOrder) {
   }
 }
 
-TEST_F(LcmLockstep, ForgedDatagramsAreNotHeeded) {
+TEST_F(LcmLockstep, ForgedDatagramsAreIgnored) {
   const auto expected = DigestsInOneProcess();
   const LcmAddress address{.port = 7721};
   Listener listener(address);

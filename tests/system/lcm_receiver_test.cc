@@ -27,7 +27,7 @@ class LcmReceiverTest : public testing::Test {
   std::vector<std::pair<std::string, Bytes>> heard_;
 };
 
-TEST_F(LcmReceiverTest, HearsShortAndLongMessagesInTheirOrder) {
+TEST_F(LcmReceiverTest, ReceivesShortAndLongMessagesInOrder) {
   const LcmAddress address{.port = 7751};
   LcmReceiver receiver = Receiver(address, kAllChannels);
   LcmPort sender(address.MainUrl());
@@ -43,16 +43,16 @@ TEST_F(LcmReceiverTest, HearsShortAndLongMessagesInTheirOrder) {
                                   Pair("B", Bytes{2})));
 }
 
-TEST_F(LcmReceiverTest, HearsTheNamedChannelsAndItsOwnGroupOnly) {
+TEST_F(LcmReceiverTest, ReceivesOnlyTheNamedChannelsOfItsGroup) {
   const LcmAddress address{.port = 7753};
   LcmReceiver receiver = Receiver(address, Channels({"TICK"}));
   LcmAddress other = address;
   other.group = "239.255.76.68";
   LcmReceiver others(other.group, other.port, kAllChannels,
                      [](const std::string&, const Bytes&) {});
-  LcmPort stranger(other.MainUrl());
+  LcmPort other_port(other.MainUrl());
   LcmPort sender(address.MainUrl());
-  stranger.Publish("TICK", {9});
+  other_port.Publish("TICK", {9});
   sender.Publish("TRACKS", {1});
   WaitForAny({&receiver}, 0);
   receiver.Drain();

@@ -1,5 +1,5 @@
-// The library as a process over LCM, killed while it stores: it knows what it
-// has said, and leaves the same bytes as in one process.
+// The library as a process over LCM, killed while it stores: it keeps what it
+// has answered, and leaves the same bytes as in one process.
 #include <gmock/gmock.h>
 
 #include <atomic>

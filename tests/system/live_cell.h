@@ -41,7 +41,7 @@ class LiveCell : public RunCell {
 
   std::filesystem::path Run() const { return dir_ / "runs/current"; }
 
-  /// All services; returns when each has said that it lives.
+  /// Starts all services; returns when each is alive.
   void Start(const std::string& demonstration) {
     ASSERT_EQ(
         Cell("prepare --state-dir . --seed 7 --demonstration " + demonstration)

@@ -1,5 +1,5 @@
-// A live cell of real processes: under load its log replays; under attack it
-// lives.
+// A live cell of real processes: its log replays after load, and it keeps
+// running under attack.
 #include "tests/system/live_cell.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ TEST_F(Live, AMinuteUnderLoadReplaysByteForByte) {
   EXPECT_EQ(replay.code, 0) << replay.output;
 }
 
-TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
+TEST_F(Live, TenThousandForgeriesCrashNoServiceAndAreCounted) {
   std::map<std::string, std::vector<Bytes>> samples;
   main_->Subscribe(".*", [&](const std::string& channel, Bytes bytes) {
     constexpr size_t kMaxSamples = 20;
@@ -96,7 +96,7 @@ TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
       bytes[from + random() % (bytes.size() - from)] =
           static_cast<uint8_t>(random() % 3 == 0 ? 0xff : random());
     }
-    // Some begin a new life of their sender, so that they reach its readers.
+    // Some begin a new incarnation of their sender, and so reach its readers.
     if (i % 4 == 0) {
       const WireHeader header = ReadWireHeader(bytes);
       WriteIdentity(header.tick, header.sender + 1000 * (1 + i), 0, bytes);
@@ -129,7 +129,7 @@ TEST_F(Live, TenThousandForgeriesKillNobodyAndAreCounted) {
   Stop();
 }
 
-TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
+TEST_F(Live, PartOfASessionIsRecordedBesideTheRecorder) {
   Start("two_pegs");
   const ShellResult record = Cell("record --seconds 6 --out glimpse");
   const bool is_whole = record.output.find(" 0 lost") != std::string::npos;
@@ -138,7 +138,7 @@ TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
   EXPECT_EQ(again.code, 1);
   EXPECT_THAT(again.output, HasSubstr("choose another --out"));
   Stop();
-  // What is in there was said, as it is in the recorder's own log.
+  // Its messages are those of the recorder's own log.
   const LiveLog own = LiveLog::Load(Run());
   const LiveLog glimpse = LiveLog::Load(dir_ / "glimpse");
   const auto messages = glimpse.InOrder();
@@ -169,7 +169,7 @@ TEST_F(Live, AGlimpseIsRecordedBesideTheRecorder) {
   EXPECT_EQ(Cell("view glimpse --at 1 --out picture.png").code, 0);
 }
 
-TEST_F(Live, WithoutACellARecordingSaysThatItHeardNothing) {
+TEST_F(Live, WithoutACellARecordingReportsThatNothingCame) {
   const ShellResult record = Cell("record --seconds 0.3 --out glimpse");
   EXPECT_EQ(record.code, 1);
   EXPECT_THAT(record.output, HasSubstr("no cell was heard"));

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Under a manager (under_systemd.sh): a person assembles, live, while every
-# service but the testbed is killed once and hangs once. What the cell says of it
-# goes to OUT/.
+# service but the testbed is killed once and hangs once. Its output goes to
+# OUT/.
 set -u
 out=$1
 cell=/usr/local/bin/cell
 state=$XDG_CONFIG_HOME/cell  # $STATE_DIRECTORY of a user's manager
 printf 'CELL_DEMONSTRATION=assembly\nCELL_SEED=7\n' >"$state/environment"
 "$cell" up --user >"$out/up.txt" || { cat "$out/up.txt" /run/manager.log; exit 1; }
-# A second pair of ears: what is said while the recorder hangs is in no log of
-# its own.
+# A second recording: the recorder's own log lacks the messages that come while
+# it hangs.
 "$cell" record --deploy "$state/runs/current/deploy" --out "$out/glimpse" \
   >"$out/glimpse.txt" 2>&1 &
 ears=$!
@@ -39,7 +39,7 @@ for _ in $(seq 600); do
   grep -q 'the episode ends' "$out/told.txt" && break
   sleep 1
 done
-sleep 20  # what nobody has recognised is told as the episode is over
+sleep 20  # unrecognised changes are reported after the episode
 kill -TERM "$ears"
 wait "$ears"
 "$cell" replay "$out/glimpse" >"$out/heard.txt" 2>&1

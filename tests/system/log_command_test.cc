@@ -232,7 +232,7 @@ TEST_F(LogCommand, CheckAndRepairOfADamagedRunSayWhatIsLost) {
   EXPECT_THAT(again.output, HasSubstr("good: exists"));
 }
 
-TEST_F(LogCommand, WhatIsNoLogOrAnotherProgramsIsToldApart) {
+TEST_F(LogCommand, FilesThatAreNoLogAndLogsOfOthersAreDistinguished) {
   std::ofstream(dir_ / "text") << "no log at all\n";
   EXPECT_THAT(Cell("log check text").output, HasSubstr("is not an LCM log"));
   {
@@ -253,7 +253,7 @@ TEST_F(LogCommand, WhatIsNoLogOrAnotherProgramsIsToldApart) {
   EXPECT_EQ(Cell("log check nowhere").code, 2);
 }
 
-TEST_F(LogCommand, AFolderOfLcmLoggersPartsIsCheckedAndTold) {
+TEST_F(LogCommand, AFolderOfLcmLoggersPartsIsCheckedAndReplayed) {
   ASSERT_EQ(Cell("sim --seed 3 --demonstration two_pegs --out a").code, 0);
   fs::create_directories(dir_ / "parts");
   const auto size = fs::file_size(dir_ / "a/cell-0001.lcmlog");

@@ -1,4 +1,4 @@
-// A recording of a run stands for the run: what comes of it is what came of it.
+// A recording of a run can replace the run: both give the same results.
 #include "common/recordings/recording.h"
 
 #include <gmock/gmock.h>

@@ -69,7 +69,7 @@ class Systemd : public RunCell {
   }
 };
 
-TEST_F(Systemd, TheUnitsHoldNothingThatSystemdDoesNotKnow) {
+TEST_F(Systemd, TheUnitsHaveNoKeysThatSystemdRejects) {
   const ShellResult result = Installed(
       "systemd-analyze verify --man=no cell.target cell-cameras.target "
       "cell-*.service cell-robot-arm@left.service cell-camera-set@1.service");

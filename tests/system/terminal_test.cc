@@ -1,4 +1,4 @@
-// What commands print of strings that anybody may have sent or recorded.
+// Terminals and untrusted text: what commands print of received messages.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -88,7 +88,7 @@ TEST_F(Terminal, TopNamesAForgedChannelWithin40Columns) {
   }
 }
 
-TEST_F(Terminal, TopClearsTheScreenOnlyOfOneThatMayBe) {
+TEST_F(Terminal, TopClearsTheScreenOnlyWhereCodesAreAllowed) {
   EXPECT_THAT(TopOn40Columns("TERM=xterm NO_COLOR=", "messages from outside"),
               HasSubstr("\x1b[2J"));
   EXPECT_THAT(TopOn40Columns("TERM=xterm NO_COLOR=1", "messages from outside"),

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Under a manager (under_systemd.sh): what `cell up` says of a cell that cannot
-# start, to OUT/.
+# Under a manager (under_systemd.sh): the output of `cell up` for a cell that
+# cannot start, in OUT/.
 set -u
 out=$1
 cell=/usr/local/bin/cell

@@ -14,7 +14,7 @@
 
 namespace cell {
 
-// Two bolts and a lid over them; the right arm inserts, the left passes on.
+// Two bolts and a lid over them; the right arm inserts, the left hands over.
 inline constexpr char kBench[] = R"yaml(
 types: {part: object, bolt: part, lid: part, hole: object, arm: object}
 constants: {bolt_1: bolt, bolt_2: bolt, lid: lid, hole_1: hole, hole_2: hole,

@@ -14,8 +14,8 @@
 #include "services/library/open_store.h"
 #include "services/recorder/recorder.h"
 
-/// A cell in which somebody learns fast: a clock, one who asks that actions be
-/// kept, the library, and a recorder.
+/// A cell with many new actions: a clock, a service that asks the library to
+/// keep them, the library, and a recorder.
 namespace cell::keeping {
 
 using namespace library;
@@ -80,7 +80,7 @@ inline Roster TheRoster() {
           .entries = {{"time"}, {"asker"}, {"library"}, {"recorder"}}};
 }
 
-/// The lives of the library share one store, opened by the first.
+/// The incarnations of the library share one store, opened by the first.
 inline std::map<std::string, ServiceFactory> Factories(
     const Deployment& deployment, int32_t num_ticks) {
   return {

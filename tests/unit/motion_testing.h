@@ -37,7 +37,8 @@ class ShippedMotions {
     request.parts = poses;
     return request;
   }
-  MotionRequest Take(const std::string& part, const std::string& arm) const {
+  MotionRequest TakeRequest(const std::string& part,
+                            const std::string& arm) const {
     MotionRequest request = Request(Kind::kGrasp, arm, HomePosture(Arm(arm)));
     request.part = part;
     return request;

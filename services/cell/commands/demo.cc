@@ -164,7 +164,7 @@ class Demo {
     Start(death.name);
   }
 
-  // What the processes say is for the person, too.
+  // The user sees the output of the processes, too.
   void ForwardOutputs() {
     for (const std::string& line : outputs_.TakeLines()) report_.Print(line);
   }

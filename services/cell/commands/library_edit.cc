@@ -33,13 +33,14 @@ struct EditOptions {
   OperatorOptions port;
 };
 
+using EditFunction = std::function<Result<RecordEdits::Records>(
+    const RecordEdits&, const ActionStore&)>;
+
 /// An edit as a command to a running cell, and as one on a database.
 struct Edit {
   int8_t kind = 0;
   std::string title;  ///< "rename A B"
-  std::function<Result<RecordEdits::Records>(const RecordEdits&,
-                                             const ActionStore&)>
-      on_database;
+  EditFunction on_database;
 };
 
 int CommandEdit(const EditOptions& options, const Edit& edit) {
@@ -132,85 +133,138 @@ std::vector<std::string> DemonstrationsOf(const ActionRecord& record) {
   return lines;
 }
 
-void AddLibraryEdits(CLI::App& library, Action* action) {
-  using Records = Result<RecordEdits::Records>;
-  auto options = std::make_shared<EditOptions>();
-  const auto add = [&](const std::string& name, const std::string& text,
-                       int8_t kind, auto on_database) {
-    CLI::App* command = library.add_subcommand(name, text);
-    command->add_option("--database", options->database,
-                        "a library's file, or a run folder that has one "
-                        "(default: the cell running on this network)");
-    command->add_option("--deploy", options->deploy_dir,
-                        "of a database: folder with config/ and tasks/");
-    AddOperatorOptions(*command, &options->port);
-    command->callback([=] {
-      *action = [=] {
-        std::string title = name;
-        for (const std::string& word : {options->name, options->other}) {
-          if (!word.empty()) title += " " + word;
-        }
-        if (options->number > 0) {
-          title += " " + std::to_string(options->number);
-        }
-        return RunEdit(*options, {kind, title, on_database});
-      };
-    });
-    return command;
-  };
-  const auto add_names = [&](CLI::App* command, const char* name,
-                             const char* other) {
-    command->add_option("name", options->name, name)->required();
-    if (other != nullptr) {
-      command->add_option("other", options->other, other)->required();
-    }
-  };
-  add_names(add("rename",
-                "Give an action another name.\n"
-                "Example: cell library rename Action1 PlaceBolt",
-                command_library_t::RENAME,
-                [=](const RecordEdits& edits, const ActionStore&) -> Records {
-                  return edits.Rename(options->name, options->other);
-                }),
-            "of an action", "its new name");
-  add_names(add("remove",
-                "Remove an action: it is not recognised or planned any more.\n"
-                "Example: cell library remove Action1 --database library.db",
-                command_library_t::REMOVE,
-                [=](const RecordEdits& edits, const ActionStore&) -> Records {
-                  return edits.Remove(options->name);
-                }),
-            "of an action", nullptr);
-  add_names(add("merge",
-                "What was learned of an action becomes part of another, and "
-                "the action is removed.\n"
-                "Example: cell library merge Action1 PlaceBolt",
-                command_library_t::MERGE,
-                [=](const RecordEdits& edits, const ActionStore&) -> Records {
-                  return edits.Merge(options->name, options->other);
-                }),
-            "of an action", "of the action that it becomes part of");
-  add_names(add("take-back",
-                "Forget what a demonstration has taught: its actions go back "
-                "to what the others have taught.\n"
-                "Example: cell library take-back \"assembly 2\" --database "
-                "library.db",
-                command_library_t::TAKE_BACK,
-                [=](const RecordEdits& edits, const ActionStore&) -> Records {
-                  return edits.TakeBack(options->name);
-                }),
-            "of a demonstration, as in cell library list --verbose", nullptr);
-  add("rollback",
+namespace {
+
+/// "rename A B"
+std::string TitleOf(const std::string& command, const EditOptions& options) {
+  std::string title = command;
+  for (const std::string& word : {options.name, options.other}) {
+    if (!word.empty()) title += " " + word;
+  }
+  if (options.number > 0) title += " " + std::to_string(options.number);
+  return title;
+}
+
+/// The subcommands of `cell library` that edit, which share their options.
+class EditCommands {
+ public:
+  EditCommands(CLI::App& library, Action* action)
+      : library_(library), action_(action) {}
+
+  void AddRename();
+  void AddRemove();
+  void AddMerge();
+  void AddTakeBack();
+  void AddRollBack();
+
+ private:
+  CLI::App* Add(const std::string& name, const std::string& text, int8_t kind,
+                EditFunction on_database);
+  void AddName(CLI::App* command, const char* text) {
+    command->add_option("name", options_->name, text)->required();
+  }
+  void AddOther(CLI::App* command, const char* text) {
+    command->add_option("other", options_->other, text)->required();
+  }
+
+  CLI::App& library_;
+  Action* action_;
+  std::shared_ptr<EditOptions> options_ = std::make_shared<EditOptions>();
+};
+
+CLI::App* EditCommands::Add(const std::string& name, const std::string& text,
+                            int8_t kind, EditFunction on_database) {
+  CLI::App* command = library_.add_subcommand(name, text);
+  command->add_option("--database", options_->database,
+                      "a library's file, or a run folder that has one "
+                      "(default: the cell running on this network)");
+  command->add_option("--deploy", options_->deploy_dir,
+                      "of a database: folder with config/ and tasks/");
+  AddOperatorOptions(*command, &options_->port);
+  command->callback([=, options = options_, action = action_] {
+    *action = [=] {
+      return RunEdit(*options, {kind, TitleOf(name, *options), on_database});
+    };
+  });
+  return command;
+}
+
+void EditCommands::AddRename() {
+  CLI::App* command =
+      Add("rename",
+          "Give an action another name.\n"
+          "Example: cell library rename Action1 PlaceBolt",
+          command_library_t::RENAME,
+          [options = options_](const RecordEdits& edits, const ActionStore&) {
+            return edits.Rename(options->name, options->other);
+          });
+  AddName(command, "of an action");
+  AddOther(command, "its new name");
+}
+
+void EditCommands::AddRemove() {
+  CLI::App* command =
+      Add("remove",
+          "Remove an action: it is not recognised or planned any more.\n"
+          "Example: cell library remove Action1 --database library.db",
+          command_library_t::REMOVE,
+          [options = options_](const RecordEdits& edits, const ActionStore&) {
+            return edits.Remove(options->name);
+          });
+  AddName(command, "of an action");
+}
+
+void EditCommands::AddMerge() {
+  CLI::App* command =
+      Add("merge",
+          "What was learned of an action becomes part of another, and "
+          "the action is removed.\n"
+          "Example: cell library merge Action1 PlaceBolt",
+          command_library_t::MERGE,
+          [options = options_](const RecordEdits& edits, const ActionStore&) {
+            return edits.Merge(options->name, options->other);
+          });
+  AddName(command, "of an action");
+  AddOther(command, "of the action that it becomes part of");
+}
+
+void EditCommands::AddTakeBack() {
+  CLI::App* command =
+      Add("take-back",
+          "Forget what a demonstration has taught: its actions go back "
+          "to what the others have taught.\n"
+          "Example: cell library take-back \"assembly 2\" --database "
+          "library.db",
+          command_library_t::TAKE_BACK,
+          [options = options_](const RecordEdits& edits, const ActionStore&) {
+            return edits.TakeBack(options->name);
+          });
+  AddName(command, "of a demonstration, as in cell library list --verbose");
+}
+
+void EditCommands::AddRollBack() {
+  Add("rollback",
       "Go back to what the library held before a change (cell library "
       "changes), without the number before the last one; a running cell goes "
       "back to what it held when its run began.\n"
       "Example: cell library rollback 3 --database library.db",
       command_library_t::ROLL_BACK,
-      [=](const RecordEdits& edits, const ActionStore& store) -> Records {
+      [options = options_](const RecordEdits& edits, const ActionStore& store) {
         return RollBack(edits, store, options->number);
       })
-      ->add_option("number", options->number, "of the first change undone")
+      ->add_option("number", options_->number, "of the first change undone")
       ->check(NumberIn<int64_t>(1));
+}
+
+}  // namespace
+
+void AddLibraryEdits(CLI::App& library, Action* action) {
+  EditCommands commands(library, action);
+  commands.AddRename();
+  commands.AddRemove();
+  commands.AddMerge();
+  commands.AddTakeBack();
+  commands.AddRollBack();
 }
 
 }  // namespace cell::cli

@@ -34,7 +34,7 @@ struct RecordOptions {
   double duration_s = 0;
 };
 
-// Everything that members of the cell say, as it comes.
+// All messages of the cell, in the order of arrival.
 class Recording {
  public:
   Recording(const LcmAddress& address, const std::string& out,

@@ -38,8 +38,8 @@ double Seconds(int64_t utime) {
   return static_cast<double>(utime) * 1e-6;
 }
 
-// The last message of the channel that was measured at or before the wished
-// moment.
+// The last message of the channel that was measured at or before the requested
+// time.
 template <BusMessage M>
 M MessageAt(const RunFolder& run, const std::string& channel,
             std::optional<double> at_s) {

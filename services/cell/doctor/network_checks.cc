@@ -80,13 +80,13 @@ Diagnosis CheckControlPort(const Machine& machine, const Site& site) {
   if (owners.empty()) {
     return Diagnosis::Ok(fmt::format("UDP port {} is free", port));
   }
-  const auto stranger =
+  const auto other =
       std::find_if(owners.begin(), owners.end(),
                    [](const ProcessName& o) { return o.name != "vtb"; });
-  if (owners.size() == 1 && stranger == owners.end()) {
+  if (owners.size() == 1 && other == owners.end()) {
     return Diagnosis::Ok(fmt::format("a cell runs: {}", names));
   }
-  const ProcessName& odd = stranger == owners.end() ? owners.back() : *stranger;
+  const ProcessName& odd = other == owners.end() ? owners.back() : *other;
   return Diagnosis::Bad(
       fmt::format("UDP port {} is for the clock only, but {} listens on it: "
                   "another cell, or a tool on the wrong port",

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What helps to correct the file that an error begins with: never a command
-// that writes it, for it holds what its user has done.
+// How to correct the file that an error begins with. Never a command that
+// overwrites it, since the user may have changed it.
 std::string Correct(const Site& site, const std::string& error) {
   const std::string file = error.substr(0, error.find(':'));
   const fs::path relative = fs::path(file).lexically_relative(site.deploy_dir);

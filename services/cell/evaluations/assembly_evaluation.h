@@ -6,8 +6,8 @@
 
 namespace cell::cli {
 
-/// The cell assembles by itself (sections VIII and IX): what is seated, what is
-/// turned home, what breaks, and how the arms behave.
+/// The cell assembles by itself (sections VIII and IX): parts seated, screws
+/// tightened, parts that come loose, and how the arms behave.
 std::unique_ptr<Evaluation> MakeAssemblyEvaluation();
 
 }  // namespace cell::cli

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Placements, and parts to be turned home: how many of how many.
+/// Parts seated and parts tightened, each of how many.
 void AddScore(const AssemblyScore& score, const PartTable& parts, json* row) {
   const auto num_with_thread = [&](const std::vector<std::string>& sites) {
     return std::ranges::count_if(sites, [&](const std::string& site) {
@@ -58,7 +58,7 @@ void AddRecord(const AssemblyObserver::Record& record, json* row) {
   (*row)["seconds"] = 1e-6 * static_cast<double>(record.last_utime);
 }
 
-/// Parts that a person touched, and parts that the cell's last words name.
+/// Parts that a person touched, and parts that the cell's last message names.
 void AddParts(const AssemblyObserver::Record& record, const PartTable& parts,
               json* row) {
   std::string words = record.execution ? record.execution->text : "";

@@ -6,10 +6,9 @@
 
 namespace cell::cli {
 
-/// The cell assembles by itself while a person disturbs it (section IX-C).
-/// Troubles that the cell can get over by itself must not keep it from its
-/// goal; those that it cannot must end in a question that names just the part
-/// that is missing.
+/// The cell assembles by itself while a person disturbs it (section IX-C). It
+/// must reach its goal in spite of disturbances that it can recover from; all
+/// others must end in a question that names exactly the part that is missing.
 std::unique_ptr<Evaluation> MakeDisturbedEvaluation();
 
 }  // namespace cell::cli

@@ -59,7 +59,7 @@ Worker StartWorker(const std::function<std::string(size_t)>& job,
   return {pid, fds[0], index, ""};
 }
 
-// Reads what is there; true at the end of what the worker will say.
+// Reads what is there; returns true at the end of the worker's output.
 bool Listen(Worker* worker) {
   std::array<char, 4096> buffer{};
   const ssize_t n = read(worker->fd, buffer.data(), buffer.size());

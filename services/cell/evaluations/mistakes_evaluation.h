@@ -30,7 +30,7 @@ struct MistakesOptions {
 enum class Control {
   kMajority,     ///< every action is correct
   kEveryDetach,  ///< every detach is a mistake, every attach correct
-  kPairOrders    ///< orders of two pairs that nobody has shown are mistakes
+  kPairOrders    ///< unseen orders of two pairs are mistakes
 };
 inline constexpr int kNumControls = 3;
 const char* NameOf(Control control);
@@ -63,7 +63,7 @@ struct MistakesResult {
 /// The settings for the toys of a fold are those with the best macro F1 when
 /// each sequence of the toys of the other folds is judged by what these teach:
 /// nothing of a judged toy has a part in the choice.
-/// @param show  is told of the progress
+/// @param show  called with the progress
 MistakesResult EvaluateMistakes(
     const ToySequences& toys, const MistakesOptions& options,
     const std::function<void(const std::string&)>& show);

@@ -31,7 +31,7 @@ std::vector<std::string> SecFigureNames();
 /// The curves of a figure, for the measures `paper` and `derivative`; those of
 /// "15b" include those of "15a", which the text compares them with. At each
 /// level `num_samples` noisy samples (ChainNoise) are drawn from `seed`.
-/// `show` is told how far it has come. @throws std::invalid_argument for
+/// `show` gets the progress. @throws std::invalid_argument for
 /// another name.
 std::vector<SecCurve> MakeSecCurves(
     const std::string& figure, int num_samples, uint64_t seed,

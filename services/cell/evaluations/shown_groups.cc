@@ -120,20 +120,20 @@ void CountRoles(const std::vector<ShownChain>& chains, const Task& task,
 }
 
 /// Which chains have the same topology by a measure, and which action each has.
-class Twins {
+class SameTopology {
  public:
-  Twins(const std::vector<ShownChain>& chains,
-        const std::vector<RelationMatrix>& matrices,
-        const MatrixSimilarity& similarity)
-      : chains_(chains), twins_(chains.size()) {
+  SameTopology(const std::vector<ShownChain>& chains,
+               const std::vector<RelationMatrix>& matrices,
+               const MatrixSimilarity& similarity)
+      : chains_(chains), same_topology_(chains.size()) {
     for (size_t i = 0; i < chains.size(); ++i) {
       for (size_t j = 0; j < i; ++j) {
         if (chains[i].action == chains[j].action ||
             similarity.Between(matrices[i], matrices[j]) < kSame) {
           continue;
         }
-        twins_[i].push_back(j);
-        twins_[j].push_back(i);
+        same_topology_[i].push_back(j);
+        same_topology_[j].push_back(i);
       }
     }
   }
@@ -145,10 +145,11 @@ class Twins {
       const auto in_model = [&](size_t j) {
         return std::ranges::binary_search(samples, j);
       };
-      result->num_twins += !twins_[i].empty();
-      result->num_twins_merged += std::ranges::any_of(twins_[i], in_model);
+      result->num_ambiguous += !same_topology_[i].empty();
+      result->num_ambiguous_merged +=
+          std::ranges::any_of(same_topology_[i], in_model);
       result->num_same += chains_[i].action != main &&
-                          std::ranges::any_of(twins_[i], [&](size_t j) {
+                          std::ranges::any_of(same_topology_[i], [&](size_t j) {
                             return chains_[j].action == main && in_model(j);
                           });
     }
@@ -156,7 +157,7 @@ class Twins {
 
  private:
   const std::vector<ShownChain>& chains_;
-  std::vector<std::vector<size_t>> twins_;  // of other actions
+  std::vector<std::vector<size_t>> same_topology_;  // of other actions
 };
 
 /// The goals of measures without types are those of the highest cut.
@@ -237,14 +238,14 @@ ShownGroups GroupChains(const std::vector<ShownChain>& all, const Task& task,
   ShownGroups result{.grouping = grouping.name,
                      .models = {},
                      .num_all = static_cast<int>(chains.size())};
-  const Twins twins(chains, matrices, *params.similarity);
+  const SameTopology same_topology(chains, matrices, *params.similarity);
   for (const auto& cluster : clustering.clusters()) {
     std::map<std::string, int> actions;
     for (const size_t i : cluster.samples) ++actions[chains[i].action];
     const auto main = std::ranges::max_element(
         actions, {}, [](const auto& entry) { return entry.second; });
     result.num_pure += main->second;
-    twins.Count(cluster.samples, main->first, &result);
+    same_topology.Count(cluster.samples, main->first, &result);
     result.models.push_back(std::move(actions));
   }
   CountRoles(chains, task, matrices, clustering, params.model.roles, random,
@@ -306,7 +307,8 @@ std::vector<Measure> ShownGroupsMeasures(
   Measure roles{"objects in a role of their kind", 0, 0, std::nullopt, 0.95};
   Measure topology{"no types: in a model of their topology", 0, 0, std::nullopt,
                    0.98};
-  Measure twins{"no types: same topology, so merged", 0, 0, std::nullopt, 0.98};
+  Measure ambiguous{"no types: same topology, so merged", 0, 0, std::nullopt,
+                    0.98};
   const auto groupings = ShownGroupings();
   for (const ShownGroups& result : results) {
     if (result.grouping == groupings.front().name) {
@@ -320,10 +322,10 @@ std::vector<Measure> ShownGroupsMeasures(
     if (!IsUntypedGoal(result.grouping)) continue;
     topology.num_all += result.num_all;
     topology.num_good += result.num_pure + result.num_same;
-    twins.num_all += result.num_twins;
-    twins.num_good += result.num_twins_merged;
+    ambiguous.num_all += result.num_ambiguous;
+    ambiguous.num_good += result.num_ambiguous_merged;
   }
-  return {models, purity, roles, topology, twins};
+  return {models, purity, roles, topology, ambiguous};
 }
 
 }  // namespace cell::cli

@@ -57,8 +57,8 @@ struct ShownGroups {
   int num_same = 0;
   /// That have the topology of a placement of another action, and how many of
   /// them are in a model with one: by this measure they have to be.
-  int num_twins = 0;
-  int num_twins_merged = 0;
+  int num_ambiguous = 0;
+  int num_ambiguous_merged = 0;
 
   /// Objects in the roles that the models give them: how many have the role of
   /// most; and the same after the roles of each manipulation were shuffled.

@@ -15,14 +15,14 @@
 namespace cell::cli {
 
 /// Demonstrations that are shown to the cores of sec_builder and recognizer as
-/// one stream, without a word where one ends and the next begins.
+/// one stream that is not segmented.
 struct ShownStreamParams {
   struct Demonstration {
     std::string name;
     std::function<Recording()> load;
   };
   std::vector<Demonstration> demonstrations;
-  double noise_mm = 0;  ///< of the poses; the estimator is told
+  double noise_mm = 0;  ///< of the poses; the estimator knows it
   uint64_t seed = 1;    ///< of the noise
   std::shared_ptr<const SecLibrary> library;
 };

@@ -9,7 +9,7 @@
 namespace cell::cli {
 namespace {
 
-constexpr int32_t kFirstTick = 60;  // tracks have come, the arms have spoken
+constexpr int32_t kFirstTick = 60;  // tracks and reports have come
 constexpr int64_t kPermitUs = 5 * kTickUs;
 constexpr int64_t kDeadlineUs = 1'000'000;
 
@@ -25,13 +25,14 @@ SkillDriver::SkillDriver(Bus& bus, const Params& params)
 void SkillDriver::OnResult(const skill_result_t& result) {
   if (result.id != id_) return;
   is_waiting_ = false;
-  if (result.outcome != skill_result_t::REFUSED || wish_.skill != "insert" ||
-      params_.helper.empty() || std::exchange(has_helped_, true)) {
+  if (result.outcome != skill_result_t::REFUSED ||
+      requested_.skill != "insert" || params_.helper.empty() ||
+      std::exchange(has_helped_, true)) {
     return;
   }
-  params_.tasks.push_front(wish_);
+  params_.tasks.push_front(requested_);
   params_.tasks.push_front(
-      {params_.helper, "present", {{"part", wish_.arguments.at("part")}}});
+      {params_.helper, "present", {{"part", requested_.arguments.at("part")}}});
 }
 
 void SkillDriver::OnTick() {
@@ -54,7 +55,7 @@ void SkillDriver::OnTick() {
 }
 
 void SkillDriver::Ask(const Task& task) {
-  wish_ = task;
+  requested_ = task;
   is_waiting_ = true;
   skill_request_t request{};
   request.header.utime = bus_.now();

@@ -36,7 +36,7 @@ class SkillDriver final : public Service {
 
   Bus& bus_;
   Params params_;
-  Task wish_;  // the last
+  Task requested_;  // the last
   bool is_waiting_ = false, has_helped_ = false, is_done_ = false;
   int64_t id_ = 0;
 };

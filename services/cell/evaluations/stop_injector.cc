@@ -16,7 +16,7 @@ constexpr int32_t kCalm = 125;          // [ticks] from a stop's end to the next
 constexpr int32_t kCommandTicks = 10;   // how long a command is valid
 constexpr int kMostStopsOfTurning = 3;  // of one and the same skill
 
-/// In these an arm is at work with things: they may move.
+/// Phases in which an arm handles parts, so that these may move.
 bool IsAtWork(const arm_report_t& report) {
   static const std::set<std::string> phases = {"reach", "close", "tare",
                                                "seat",  "turn",  "set down"};

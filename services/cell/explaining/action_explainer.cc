@@ -211,7 +211,7 @@ void ActionExplainer::OnKeyFrame(const Message& message) {
 void ActionExplainer::OnRecord(const Message& message) {
   const auto decoded = Decode<action_record_t>(message);
   if (!decoded) return;
-  const auto update = actions_.Take(FromMessage(*decoded));
+  const auto update = actions_.Apply(FromMessage(*decoded));
   if (!update || *update != ActionModels::Update::kChanged) return;
   library_ = params_.make_library(actions_);
   recognition_->Use(library_);

@@ -75,7 +75,7 @@ class Lesson {
     EventChain chain;
   };
 
-  /// What is said before `utime` names what was shown before it.
+  /// Names spoken before `utime` refer to manipulations before it.
   void Listen(int64_t utime) {
     for (; num_heard_ < recording_.spoken.size(); ++num_heard_) {
       const Recording::SpokenName& said = recording_.spoken[num_heard_];

@@ -21,14 +21,14 @@ class SecLessons {
   explicit SecLessons(const Deployment& deployment);
 
   /// @throws RecordingError for a recording of another task, and for a name
-  /// that is said of nothing or cannot be given.
+  /// that refers to nothing or cannot be given.
   void Attend(const Recording& recording);
 
   /// The same, but each name is learned from its first showing alone, and what
   /// nobody names is passed over. @throws like Attend().
   void AttendFirstShowings(const Recording& recording);
 
-  /// All groups of showings; made-up names are those that nobody has said.
+  /// All groups of showings; the unnamed ones have made-up names.
   std::vector<SecLearner::Action> Actions() const { return learner_.Actions(); }
   /// The models of the actions of the task, with their arguments.
   /// @throws RecordingError for a name that is no action's of the task, and for

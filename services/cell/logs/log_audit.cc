@@ -61,7 +61,7 @@ class Auditor {
     if (!audit_.manifests.empty()) {
       audit_.is_complete = true;
       FindLostTicks();
-      PutLives();
+      PutIncarnations();
       for (const auto& [tick, link] : audit_.manifests) CheckTick(tick, link);
       KeepUnproved();
       FindLostSequences();
@@ -78,7 +78,7 @@ class Auditor {
           std::back_inserter(audit_.findings));
     }
     if (audit_.manifests.empty()) {
-      // Another program's bytes say nothing of ticks.
+      // Messages of other programs carry no tick.
       for (LogFinding& finding : audit_.findings) finding.tick = -1;
     }
     audit_.findings = ByPlace(std::move(audit_.findings));
@@ -149,7 +149,7 @@ class Auditor {
     }
   }
 
-  void PutLives() {
+  void PutIncarnations() {
     if (extent_.begin() == 0) {
       for (const auto& [channel, sender] : extent_.flows()) {
         sequences_.PutBirth(sender, 0);

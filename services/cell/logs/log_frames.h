@@ -8,9 +8,9 @@
 
 namespace cell::cli {
 
-/// Bytes in which no event begins, with the numbers of the events that they
-/// have cost; numbers out of their order; of a canonical log also the stamps
-/// that are not as they follow from what it holds. Pure.
+/// Finds bytes in which no event begins, with the numbers of the events lost
+/// there; numbers out of order; and in a canonical log stamps that do not agree
+/// with its content. Pure.
 std::vector<LogFinding> FindOddFrames(const LogIndex& index, bool is_canonical);
 
 /// Something about one entry.

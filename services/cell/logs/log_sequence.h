@@ -24,7 +24,7 @@ struct StampRules {
 
 /// Where a log's time runs back, and where nothing came for long: a second or
 /// more, a hundred times as long as half of its events take to come. More than
-/// a few such silences are its nature, and no findings. Pure.
+/// a few such pauses are normal, and not reported. Pure.
 std::vector<LogFinding> FindOddStamps(const LogIndex& index,
                                       const StampRules& rules);
 

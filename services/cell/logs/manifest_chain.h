@@ -10,7 +10,7 @@
 
 namespace cell::cli {
 
-/// A TICK of a log that can be believed as far as the log allows.
+/// A TICK of a log, verified as far as the log allows.
 struct ManifestLink {
   tick_t tick{};
   Message message;  ///< its canonical form
@@ -22,11 +22,10 @@ struct ManifestLink {
 };
 
 /// Finds the manifests of a run in a damaged log. Each TICK carries the digest
-/// of the one before: so all but the last are beyond doubt, whatever a log
-/// offers, and one that is damaged can be guessed from its messages, and the
-/// guess be proved; so can several in a row. The last one, and one before a
-/// gap, is believed if it is sound, and taken as guessed if it differs from
-/// that in a single byte. Pure.
+/// of the one before, which verifies all but the last. A damaged one can be
+/// rebuilt from its messages, and then be verified; so can several in a row.
+/// The last one, and one before a gap, is accepted if it is consistent, and
+/// replaced by the rebuilt one if the two differ in a single byte. Pure.
 std::map<int32_t, ManifestLink> FindManifests(const LogIndex& index);
 
 }  // namespace cell::cli

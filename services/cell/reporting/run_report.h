@@ -19,13 +19,13 @@ class RunReport {
  public:
   RunReport(const RunFolder& run, const RunOptions& options);
 
-  /// Tells what has been written since the last call.
+  /// Prints what has been written since the last call.
   void Follow();
-  /// A word from the launcher, between the lines.
+  /// Prints a message of the launcher.
   void Print(const std::string& line);
-  /// Sums up, draws the end of each episode into the run folder.
-  /// @return 0 if the last episode came to its end, and none waited in vain
-  /// for a person.
+  /// Prints the summary, and draws the end of each episode into the run folder.
+  /// @return 0 if the last episode came to its end, and no episode waited for a
+  /// person who was not there.
   int Finish();
 
  private:

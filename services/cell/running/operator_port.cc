@@ -18,7 +18,7 @@ namespace {
 constexpr int kStepMs = 20;
 /// Before the command: if nothing is heard for this long, there is no cell.
 constexpr int kMaxFirstSilenceMs = 5'000;
-/// After it, without a word of the cell's time.
+/// After it, without a message that carries the cell's time.
 constexpr int kMaxSilenceMs = 10'000;
 /// [us of the cell's time] An answer may come so long after the deadline: a
 /// service that plans looks at its messages afterwards.

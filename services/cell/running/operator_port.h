@@ -16,7 +16,7 @@ class App;
 
 namespace cell::cli {
 
-/// How an operator's word reaches the clock, and until when it counts.
+/// The address for an operator's command, and its deadline.
 struct OperatorOptions {
   CellAddress address;
   double deadline_s = 1;
@@ -36,8 +36,7 @@ struct OperatorCommand {
 /// A connection to the clock of a cell that runs, for one command.
 class OperatorPort {
  public:
-  /// Waits for the cell to say what time it is. @throws std::runtime_error if
-  /// it is silent.
+  /// Waits for the cell's time. @throws std::runtime_error if no message comes.
   OperatorPort(const OperatorOptions& options, OperatorCommand command);
 
   /// Fills in header.utime and the deadline, sends the command, waits for its

@@ -13,9 +13,9 @@ namespace cell::cli {
 /// The exit code of a process if its program could not be run.
 inline constexpr int kExitNoProgram = 127;
 
-/// The processes of a cell under one launcher: starts them, sees them die,
-/// names why. They die with the launcher. (systemd is the way to run a cell;
-/// this is for demonstrations and tests.) Device adapter.
+/// The processes of a cell under one launcher: starts them, reports why they
+/// died. They die with the launcher. (systemd is the way to run a cell; this is
+/// for demonstrations and tests.) Device adapter.
 class ProcessGroup {
  public:
   struct Death {

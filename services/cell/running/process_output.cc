@@ -56,7 +56,7 @@ bool ProcessOutput::Read(Pipe& pipe, std::vector<std::string>* lines) {
   ssize_t size = 0;
   while ((size = read(pipe.in, buffer.data(), buffer.size())) > 0) {
     const auto num = static_cast<size_t>(size);
-    // What a full disk has no room for is on the screen all the same.
+    // On a full disk only the copy is incomplete: the screen shows everything.
     if (pipe.copy >= 0) {
       [[maybe_unused]] const ssize_t written =
           write(pipe.copy, buffer.data(), num);

@@ -9,8 +9,9 @@
 
 namespace cell::cli {
 
-/// What processes say, line by line: each by a pipe, so that a full disk hides
-/// nothing. A copy is kept in a file as far as there is room. Device adapter.
+/// The output of processes, line by line: through a pipe each, so that a full
+/// disk hides nothing. A copy goes to a file while there is room. Device
+/// adapter.
 class ProcessOutput {
  public:
   ProcessOutput() = default;

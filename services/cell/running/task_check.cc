@@ -81,7 +81,7 @@ void CheckHelpSteps(const Domain& domain, const Names& steps) {
   }
 }
 
-/// What the robot is to do an arm must have a skill for.
+/// For each action of the robot an arm must have a skill.
 void CheckSkills(const Config& config, const Task& task) {
   const auto& objects = task.domain.vocabulary().objects();
   for (const GroundAction& action : task.domain.GroundActions(Agent::kRobot)) {

@@ -48,7 +48,7 @@ void Traffic::OnMessage(const Message& message) {
     ++num_foreign_;
     return;
   }
-  arrivals_.Take(message);
+  arrivals_.Accept(message);
   Count& count = counts_[message.channel];
   ++count.messages;
   count.bytes += static_cast<int64_t>(message.bytes->size());

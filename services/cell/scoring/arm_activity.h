@@ -9,7 +9,7 @@
 
 namespace cell::cli {
 
-/// What one arm is at, by what it was asked and what it reports: decides what
+/// The activity of one arm by its requests and reports: decides what
 /// its hand and the part in it may touch.
 class ArmActivity {
  public:
@@ -19,7 +19,7 @@ class ArmActivity {
 
   /// Id of the skill that runs, or ran last; -1: none so far.
   int64_t skill() const { return skill_; }
-  /// Of it: the one that it is in, or was in last.
+  /// The phase that this skill is in, or was in last.
   const std::string& phase() const { return phase_; }
   /// Part in the gripper; empty: none.
   const std::string& held() const { return held_; }

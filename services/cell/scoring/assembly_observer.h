@@ -13,7 +13,7 @@
 
 namespace cell::cli {
 
-/// How a cell that assembles by itself fares. Reads ground truth, so no service
+/// Scores a cell that assembles by itself. Reads ground truth, so no service
 /// may use it.
 class AssemblyObserver {
  public:

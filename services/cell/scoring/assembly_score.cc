@@ -71,7 +71,7 @@ AssemblyScore ScoreAssembly(const truth_poses_t& earlier,
       const bool is_in_place = IsInPlace(atom, success, after);
       const bool is_at_rest =
           IsAtRest(part, before, after, 1e-6 * static_cast<double>(elapsed));
-      // What moves may be anywhere soon.
+      // A moving part may still leave its site.
       truth.Set(index, !is_in_place ? Truth::kFalse
                        : is_at_rest ? Truth::kTrue
                                     : Truth::kUnknown);

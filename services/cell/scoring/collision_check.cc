@@ -96,7 +96,7 @@ void CollisionCheck::LookAround(const Arm& arm, size_t body,
   Report(arm, body, pedestal_);
   for (const Arm& other : arms_) {
     if (other.plinth == arm.plinth) continue;
-    // What moves on both sides is looked at once.
+    // Pairs of moving bodies are checked once.
     const size_t end = arm.plinth < other.plinth ? other.end : other.first_link;
     for (size_t i = other.plinth; i < end; ++i) Report(arm, body, i);
   }
@@ -112,7 +112,7 @@ void CollisionCheck::LookAtItself(const Arm& arm) {
   }
 }
 
-/// What an arm holds. Links and hands are looked at from their own side.
+/// What an arm holds. Links and hands are checked as bodies of their arms.
 void CollisionCheck::LookAtHeld(const Arm& arm, const ArmActivity& activity) {
   const auto found = indices_.find(activity.held());
   if (found == indices_.end() || found->second >= num_parts_) return;

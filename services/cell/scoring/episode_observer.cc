@@ -40,7 +40,7 @@ void EpisodeObserver::Put(const Message& message) {
       record.key_frame_utimes[frame->index] = frame->header.utime;
     }
   } else if (message.channel == "TRUTH_POSES") {
-    // What lies about between two episodes belongs to none.
+    // Poses between two episodes belong to neither.
     auto poses = Decode<truth_poses_t>(message);
     if (poses && !record.has_ended) record.pose_history.Put(*std::move(poses));
   } else if (message.channel == "EPISODE") {

@@ -35,7 +35,7 @@ struct EpisodeRecord {
   std::optional<execution_t> execution;  ///< the last
   PoseHistory pose_history;
   int64_t last_utime = 0;
-  bool has_ended = false;  ///< EPISODE END was heard
+  bool has_ended = false;  ///< EPISODE END was received
 };
 
 class EpisodeObserver {

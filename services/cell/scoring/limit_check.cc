@@ -39,7 +39,7 @@ std::vector<LimitCheck::Breach> LimitCheck::OnState(const arm_state_t& state) {
   const Joints& q = *position;
   const double speed = velocity->cwiseAbs().maxCoeff();
   for (int i = 0; i < kNumJoints; ++i) {
-    // Not a number is beyond every limit.
+    // NaN exceeds every limit.
     if (!(std::abs(q[i]) <= limits.angle[i] + kRounding)) {
       breaches.push_back({Kind::kPosition, JointName(i),
                           fmt::format("is at {:.3f} rad", q[i])});
@@ -75,7 +75,7 @@ std::vector<LimitCheck::Breach> LimitCheck::OnSetpoint(
       breaches.push_back({Kind::kPosition, "set-point of " + JointName(i),
                           fmt::format("is {:.3f} rad", goal)});
     }
-    // What has stopped follows nothing.
+    // A stopped arm does not follow set-points.
     if (is_stopped_ || !last_ ||
         last_->header.sender != setpoint.header.sender) {
       continue;

@@ -5,7 +5,7 @@
 
 namespace cell::cli {
 
-/// What an arm must not do, done.
+/// A limit that an arm has exceeded, or a collision of an arm.
 struct Violation {
   enum class Kind : int8_t {
     kPosition,   ///< a joint beyond its range

@@ -16,7 +16,7 @@ class Fetch final : public Skill {
     return WhyNoUseOf(request.Argument("part"), arm);
   }
 
-  void Plan(SkillRun& run) const override { run.Take(); }
+  void Plan(SkillRun& run) const override { run.PickUp(); }
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ class GoFree final : public Skill {
   }
 
   void Plan(SkillRun& run) const override {
-    // It may be asked for nothing else for long: the room is the others'.
+    // There may be no other request for long: the other arms need the room.
     if (!run.arm().held()) run.GoHome();
   }
 };

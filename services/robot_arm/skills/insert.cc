@@ -1,5 +1,5 @@
 // insert(part, site): takes the part, unless it is held, and seats it at the
-// site; on a thread it is screwed home.
+// site; on a thread it is tightened.
 #include <cmath>
 
 #include "services/robot_arm/contact/contact_stage.h"
@@ -33,7 +33,7 @@ Made Contacting(SkillRun& run, ContactMotionMaker maker) {
                                         std::move(maker), run.peak_force());
 }
 
-/// A part that is on its thread, and not home: it is turned on from there.
+/// A part on its thread that is not tight yet: it is turned on from there.
 Made GoOnScrewing(SkillRun& run, double pitch) {
   Arm& arm = run.arm();
   arm.sensor().Unload();
@@ -92,7 +92,7 @@ class Insert final : public Skill {
       });
       return run.LetGo();
     }
-    if (!arm.held()) run.Take(target);
+    if (!arm.held()) run.PickUp(target);
     run.Carry([&run]() -> Result<MotionRequest> {
       MotionRequest request = run.RequestOf(MotionRequest::Kind::kPlace);
       const auto place = run.TargetAtSite();

@@ -20,7 +20,7 @@ class Present final : public Skill {
   }
 
   void Plan(SkillRun& run) const override {
-    if (!run.arm().held()) run.Take();
+    if (!run.arm().held()) run.PickUp();
     run.SetDown(run.arm().layout().exchange, true);
   }
 };

@@ -49,7 +49,7 @@ public final class SpyProbe {
       System.out.println("row " + table.getValueAt(r, 0) + " "
           + table.getValueAt(r, 1));
     }
-    // Found anew: a channel that was heard since may have moved it.
+    // Found again: a channel received since may have moved it.
     on(() -> {
       final Rectangle cell =
           table.getCellRect(rowOf(table, channel), 0, true);

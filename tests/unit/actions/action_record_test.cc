@@ -185,7 +185,7 @@ TEST_F(Records, OfAnotherTaskInAStoreAreNamed) {
 TEST_F(Records, ReplaceTheModelsThatAreKnown) {
   ActionModels models(task_.domain, task_.parts, task_.actions);
   for (const ActionRecord& record : of_task_) {
-    const auto same = models.Take(record);
+    const auto same = models.Apply(record);
     ASSERT_TRUE(same) << same.reason();
     EXPECT_EQ(*same, ActionModels::Update::kNone) << record.name;
   }
@@ -194,17 +194,17 @@ TEST_F(Records, ReplaceTheModelsThatAreKnown) {
   changed.rules =
       "- {context: [HeadScrewed(X)], outcomes: [{probability: 0.5, effects: "
       "[not HeadScrewed(X)]}], noise: 0.5}";
-  EXPECT_EQ(*models.Take(changed), ActionModels::Update::kChanged);
-  EXPECT_EQ(*models.Take(changed), ActionModels::Update::kNone);
+  EXPECT_EQ(*models.Apply(changed), ActionModels::Update::kChanged);
+  EXPECT_EQ(*models.Apply(changed), ActionModels::Update::kNone);
   const int place = *models.domain().FindAction("RemoveHead");
   EXPECT_EQ(models.domain().actions()[place].rules[0].noise, 0.5);
   EXPECT_EQ(models.models()[place].version, 2);
   EXPECT_EQ(models.models().size(), task_.actions.size());
 
-  EXPECT_EQ(*models.Take(New()), ActionModels::Update::kChanged);
+  EXPECT_EQ(*models.Apply(New()), ActionModels::Update::kChanged);
   EXPECT_EQ(models.models().back().action.name, "LayAside");
   changed.rules = "- nonsense";
-  const auto refused = models.Take(changed);
+  const auto refused = models.Apply(changed);
   EXPECT_FALSE(refused);
   EXPECT_THAT(refused.reason(), HasSubstr("RemoveHead:rules[0]"));
   EXPECT_EQ(models.models()[place].version, 2);

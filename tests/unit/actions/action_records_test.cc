@@ -1,5 +1,5 @@
-// What the library says of actions replaces what recogniser and planner know,
-// while they run.
+// Records of the library replace the actions of recognizer and planner while
+// they run.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -71,7 +71,7 @@ class Alone {
     return stepper_.Run();
   }
   /// In a tick of its own.
-  std::vector<Message> Take(const ActionRecord& record) {
+  std::vector<Message> Receive(const ActionRecord& record) {
     Give("ACTION_RECORD", ToMessage(record));
     return Run();
   }
@@ -152,13 +152,14 @@ class ActionRecords : public testing::Test {
   Stage stage_{task_};
 };
 
-TEST_F(ActionRecords, ThatSayWhatIsKnownChangeNothing) {
+TEST_F(ActionRecords, WithKnownContentChangeNothing) {
   Alone planner("planner", planner::MakePlanner);
   planner.GiveEpisode(episode_t::START);
   planner.Give("PREDICATES", Predicates());
   EXPECT_THAT(On<plan_t>("PLAN", planner.Run()), SizeIs(1));
   for (const ActionModel& model : task_.actions) {
-    EXPECT_THAT(planner.Take(WriteActionModel(model, task_.domain)), IsEmpty())
+    EXPECT_THAT(planner.Receive(WriteActionModel(model, task_.domain)),
+                IsEmpty())
         << model.action.name;
   }
 }
@@ -172,7 +173,7 @@ TEST_F(ActionRecords, ReplaceTheRulesWhileThePlannerRuns) {
   ActionRecord record = Changed(Of("ScrewHead"), &ActionRecord::rules,
                                 "probability: 0.95", "probability: 0.5");
   record = Changed(record, &ActionRecord::rules, "noise: 0.05", "noise: 0.5");
-  const auto said = planner.Take(record);
+  const auto said = planner.Receive(record);
   EXPECT_THAT(On<alert_t>("ALERT", said), IsEmpty());
   const auto after = On<plan_t>("PLAN", said);  // of the state as it is known
   ASSERT_THAT(after, SizeIs(1));
@@ -185,15 +186,15 @@ TEST_F(ActionRecords, OfAnotherDomainAreRefusedInWords) {
   planner.GiveEpisode(episode_t::START);
   planner.Run();
   const auto alerts = On<alert_t>(
-      "ALERT", planner.Take(Changed(Of("ScrewHead"), &ActionRecord::rules,
-                                    "HeadScrewed", "HatchClosed")));
+      "ALERT", planner.Receive(Changed(Of("ScrewHead"), &ActionRecord::rules,
+                                       "HeadScrewed", "HatchClosed")));
   ASSERT_THAT(alerts, SizeIs(1));
   EXPECT_EQ(alerts[0].cause, alert_t::BAD_INPUT);
   EXPECT_THAT(alerts[0].text, HasSubstr("ACTION_RECORD ScrewHead:rules[0]"));
   EXPECT_THAT(alerts[0].text, HasSubstr("HatchClosed"));
 }
 
-TEST_F(ActionRecords, ReplaceWhatTheRecognizerKnows) {
+TEST_F(ActionRecords, ReplaceModelsOfTheRecognizer) {
   Alone recognizer("recognizer", recognizer::MakeRecognizer);
   recognizer.GiveEpisode(episode_t::START);
   stage_.LieAt("round_peg_1", 0.1, -0.7);
@@ -201,20 +202,20 @@ TEST_F(ActionRecords, ReplaceWhatTheRecognizerKnows) {
               ElementsAre("Raise"));
   ActionRecord record = Of("Raise");
   record.name = "SetUpright";
-  EXPECT_THAT(recognizer.Take(record), IsEmpty());
+  EXPECT_THAT(recognizer.Receive(record), IsEmpty());
   stage_.LieAt("round_peg_2", 0.2, -0.7);
   EXPECT_THAT(ActionsWhileMoving(recognizer, "round_peg_2", 0.2),
               ElementsAre("Raise", "SetUpright"));
   record.name = "Raise";
   record.version = 2;
   record.sec.clear();
-  recognizer.Take(record);
+  recognizer.Receive(record);
   stage_.LieAt("round_peg_1", 0.1, -0.7);
   EXPECT_THAT(ActionsWhileMoving(recognizer, "round_peg_1", 0.1),
               ElementsAre("SetUpright"));
 }
 
-TEST_F(ActionRecords, AreAskedForByWhoJoinsAnEpisodeThatRuns) {
+TEST_F(ActionRecords, AreRequestedByAServiceThatJoinsARunningEpisode) {
   Alone planner("planner", planner::MakePlanner);
   Alone recognizer("recognizer", recognizer::MakeRecognizer);
   for (Alone* service : {&planner, &recognizer}) {

@@ -196,8 +196,8 @@ TEST_F(CellReach, WhatIsTakenFromTheTableFindsItsWayToTheSite) {
           Reach(scene, arm.name).Transfers(part, target, arm.home);
       if (!transfers) return;  // a case for the other arm
       ++num_transfers;
-      const auto& [grasp, place, is_same_branch] = transfers->front();
-      EXPECT_TRUE(is_same_branch) << part;
+      const auto& [grasp, place, is_same_configuration] = transfers->front();
+      EXPECT_TRUE(is_same_configuration) << part;
       const auto way = [&](const Joints& from, const Joints& to,
                            double opening) {
         const JointPath path = PlanUr5Path(

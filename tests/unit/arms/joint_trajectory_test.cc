@@ -1,4 +1,4 @@
-// A path in time: what a joint is asked to do it can do.
+// A path in time, within the rates of the joints.
 #include "common/arms/joint_trajectory.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What of a request or a plan is believed.
+// Which requests and plans are accepted.
 #include "common/arms/motion_messages.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ class MotionMessages : public testing::Test {
  protected:
   MotionMessages() {
     cell_.poses["shaft"] = cell_.Standing("shaft", 0.1, -0.4);
-    request_ = cell_.Take("shaft", "right");
+    request_ = cell_.TakeRequest("shaft", "right");
     request_.arms["left"] = {HomePosture(cell_.Arm("left")), std::nullopt};
     plan_ = cell_.search.Find(request_);
   }

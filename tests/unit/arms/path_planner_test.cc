@@ -113,8 +113,8 @@ TEST(PathPlanner, CarriesAPartOverOthersInTheCell) {
           .Transfers("shaft", TargetAt(*site, task.layout.pedestal.X_WP),
                      arm.home);
   ASSERT_TRUE(transfers) << transfers.reason();
-  const auto& [grasp, place, is_same_branch] = transfers->front();
-  EXPECT_TRUE(is_same_branch);
+  const auto& [grasp, place, is_same_configuration] = transfers->front();
+  EXPECT_TRUE(is_same_configuration);
   scene.Hold("right", "shaft", grasp.X_OG.inverse());
   const WhyBlockedAt why_blocked = AskScene(
       scene, "right", {arm.home, grasp.grip, grasp.width}, {0.010, {}});

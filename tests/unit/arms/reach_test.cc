@@ -179,11 +179,11 @@ TEST_F(ReachTest, TransfersStayInOneConfigurationWhereTheyCan) {
   ASSERT_TRUE(transfers) << transfers.reason();
   const ArmModel& model = *Arm("right").model;
   for (const TransferChoice& transfer : *transfers) {
-    EXPECT_EQ(transfer.is_same_branch,
+    EXPECT_EQ(transfer.is_same_configuration,
               model.ConfigurationOf(transfer.grasp.q_grasp) ==
                   model.ConfigurationOf(transfer.place.q_place));
   }
-  EXPECT_TRUE(transfers->front().is_same_branch);
+  EXPECT_TRUE(transfers->front().is_same_configuration);
 }
 
 TEST_F(ReachTest, AStraightLineStaysInItsConfigurationAndSaysWhereItEnds) {

@@ -71,7 +71,7 @@ TEST_F(ChannelFilterTest, AShortPacketIsNotLostToALongerName) {
   EXPECT_FALSE(Passes(Packet("LC02", "C", 0)));
 }
 
-TEST_F(ChannelFilterTest, PassesFragmentsAndStrangers) {
+TEST_F(ChannelFilterTest, PassesFragmentsAndOtherData) {
   ASSERT_TRUE(AttachFilter(ends_[1], ChannelFilter({"TICK"})));
   EXPECT_TRUE(Passes(Packet("LC03", "anything")));
   EXPECT_TRUE(Passes(Packet("http", "")));

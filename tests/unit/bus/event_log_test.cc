@@ -26,7 +26,7 @@ class EventLog : public testing::Test {
     reader.Finish();
     std::vector<std::string> channels;
     while (const auto event = reader.Next()) channels.push_back(event->channel);
-    num_damages_ = reader.corrupt_ranges().size();
+    num_corrupt_ranges_ = reader.corrupt_ranges().size();
     return channels;
   }
   void Write(int num_events) {
@@ -44,13 +44,13 @@ class EventLog : public testing::Test {
   }
 
   std::filesystem::path dir_;
-  size_t num_damages_ = 0;
+  size_t num_corrupt_ranges_ = 0;
 };
 
 TEST_F(EventLog, IsReadableByLcmAndByItself) {
   Write(3);
   EXPECT_THAT(ReadChannels(), testing::ElementsAre("C0", "C1", "C2"));
-  EXPECT_EQ(num_damages_, 0u);
+  EXPECT_EQ(num_corrupt_ranges_, 0u);
   lcm::LogFile stock(Path().string(), "r");
   ASSERT_TRUE(stock.good());
   const lcm::LogEvent* event = stock.readNextEvent();
@@ -71,7 +71,7 @@ TEST_F(EventLog, AnyFlippedOrRemovedByteCostsAtMostOneEvent) {
     removed.erase(i, 1);
     Overwrite(removed);
     EXPECT_GE(ReadChannels().size(), 4u) << "byte " << i << " removed";
-    EXPECT_GE(num_damages_, 1u) << "byte " << i << " removed";
+    EXPECT_GE(num_corrupt_ranges_, 1u) << "byte " << i << " removed";
   }
 }
 
@@ -84,7 +84,7 @@ TEST_F(EventLog, ALengthThatSwallowsItsNeighbourToTheByteCostsOneEvent) {
   low_byte = static_cast<char>(static_cast<size_t>(low_byte) + event_size);
   Overwrite(bytes);
   EXPECT_THAT(ReadChannels(), testing::ElementsAre("C0", "C2", "C3", "C4"));
-  EXPECT_EQ(num_damages_, 1u);
+  EXPECT_EQ(num_corrupt_ranges_, 1u);
 }
 
 TEST_F(EventLog, ASyncWordWithinAMessageIsNoDamage) {
@@ -98,7 +98,7 @@ TEST_F(EventLog, ASyncWordWithinAMessageIsNoDamage) {
     }
   }
   EXPECT_EQ(ReadChannels().size(), 3u);
-  EXPECT_EQ(num_damages_, 0u);
+  EXPECT_EQ(num_corrupt_ranges_, 0u);
 }
 
 TEST_F(EventLog, WhatLcmReadsIsReadHoweverLong) {
@@ -111,7 +111,7 @@ TEST_F(EventLog, WhatLcmReadsIsReadHoweverLong) {
     writer.Write(3, "D", Bytes(size_t{20} << 20, 3));
   }
   EXPECT_THAT(ReadChannels(), testing::ElementsAre("A", "B", long_name, "D"));
-  EXPECT_EQ(num_damages_, 0u);
+  EXPECT_EQ(num_corrupt_ranges_, 0u);
   lcm::LogFile stock(Path().string(), "r");
   int num_stock = 0;
   while (stock.readNextEvent() != nullptr) ++num_stock;
@@ -157,7 +157,7 @@ TEST_F(EventLog, ATruncatedOneKeepsAllBeforeTheCut) {
   for (size_t size = 0; size < whole.size(); ++size) {
     Overwrite(whole.substr(0, size));
     EXPECT_EQ(ReadChannels().size(), size / event_size) << size << " bytes";
-    EXPECT_EQ(num_damages_, size % event_size == 0 ? 0u : 1u);
+    EXPECT_EQ(num_corrupt_ranges_, size % event_size == 0 ? 0u : 1u);
   }
 }
 

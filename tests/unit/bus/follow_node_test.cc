@@ -23,8 +23,8 @@ struct Follower {
   FollowNode node;
 };
 
-// Plays a run without the channels that followers are to make again; what one
-// follower says the others hear.
+// Plays a run without the channels that followers are to publish; outputs of
+// one follower reach the others.
 void Play(
     const std::vector<Follower*>& followers,
     const std::set<std::string>& left_out,
@@ -52,7 +52,7 @@ void Play(
   }
 }
 
-TEST(FollowNode, DoesAsTheRecordedServiceDid) {
+TEST(FollowNode, PublishesWhatTheRecordedServiceDid) {
   Follower first("first");
   Play({&first}, {});
   EXPECT_TRUE(first.node.is_done());

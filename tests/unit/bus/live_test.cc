@@ -96,7 +96,7 @@ class LiveTest : public testing::Test {
       EXPECT_GT(result.num_messages, 80) << entry.name;
     }
   }
-  // Writes the log anew without the messages that `is_gone` names.
+  // Writes the log again without the messages that `is_gone` names.
   void Drop(const std::function<bool(const Message&)>& is_gone) {
     const auto path = dir_ / "cell-0001.lcmlog";
     std::vector<Message> kept;
@@ -131,7 +131,7 @@ TEST_F(LiveTest, ReplaysWhatWasLostDoubledLateAndSkipped) {
   }
 }
 
-TEST_F(LiveTest, ReplaysEachLife) {
+TEST_F(LiveTest, ReplaysEachIncarnation) {
   Run(2, {.slow = 0.1}, 1200);
   ExpectIdentical();
 }
@@ -174,7 +174,7 @@ TEST_F(LiveTest, FindsAForgedOutput) {
               HasSubstr("DOUBLE seq 100000 was not recomputed"));
 }
 
-TEST_F(LiveTest, SkipsALifeThatBeganBeforeTheLog) {
+TEST_F(LiveTest, SkipsAnIncarnationThatBeganBeforeTheLog) {
   Run(7, {}, 1300);
   Drop([](const Message& m) { return m.tick < 1010; });
   const LiveReplayResult result = ReplayOf("second");

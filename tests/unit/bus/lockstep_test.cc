@@ -79,7 +79,7 @@ class Wire {
       const auto ids = MessagesIn(
           clock_.CurrentFlows(),
           [&](const std::string& channel) { return host_.Wants(channel); });
-      auto inputs = clock_inbox_.Take(ids);
+      auto inputs = clock_inbox_.Pop(ids);
       EXPECT_TRUE(inputs) << "tick " << tick;
       const auto own = host_.Tick(tick, *inputs, {});
       AwaitAcks(Clock::Before::kTick);
@@ -170,7 +170,7 @@ TEST(Lockstep, GivesTheSameTicksAsOneProcess) {
   EXPECT_EQ(Wire(1, {}).Run(), expected);
 }
 
-TEST(Lockstep, IsNotMovedByLossDoublesDisorderAndForgery) {
+TEST(Lockstep, GivesTheSameInSpiteOfLossDuplicatesDisorderAndForgery) {
   const auto expected = RunSim();
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     Wire wire(seed, {.lost_tick = 0.2,
@@ -200,7 +200,7 @@ TEST(Lockstep, TheClockActsBeforeThoseThatDoNotFeedItAnswer) {
   }
 }
 
-TEST(Lockstep, WhoFeedsTheClockUnaskedIsNamed) {
+TEST(Lockstep, AnUndeclaredFeederOfTheClockIsNamed) {
   SimBus bus(FeedingRoster("third"), ToyFactories(kNumTicks));
   try {
     while (bus.Step()) {
@@ -241,7 +241,7 @@ TEST(Lockstep, CommandsArriveInTheirTick) {
   EXPECT_NE(with[10], without[10]);
 }
 
-TEST(Lockstep, RefusesStrangersOldLivesAndOtherTypes) {
+TEST(Lockstep, RefusesUnknownServicesOldIncarnationsAndOtherTypes) {
   Clock clock(ToyRoster(), 1);
   hello_t hello{};
   hello.name = "nobody";
@@ -256,7 +256,7 @@ TEST(Lockstep, RefusesStrangersOldLivesAndOtherTypes) {
   EXPECT_FALSE(clock.Ack(ack));
 }
 
-// The toy service "first", whose words nobody hears.
+// The toy service "first", whose outputs reach no other.
 LockstepNode MuteNode(int64_t nonce) {
   return {ToyRoster(),
           "first",
@@ -300,7 +300,7 @@ TEST(Lockstep, NamesTheMessageThatIsMissing) {
                              testing::HasSubstr("SOURCE sender 0 seq 20")));
 }
 
-TEST(Lockstep, HearsASecondCellAndASecondLife) {
+TEST(Lockstep, DetectsASecondCellAndASecondIncarnation) {
   LockstepNode node = MuteNode(5);
   tick_t tick = TickOfJoining(5);
   node.PutTick(tick);

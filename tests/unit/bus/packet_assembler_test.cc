@@ -62,7 +62,7 @@ PacketAssembler All() {
   return PacketAssembler([](const std::string&) { return true; });
 }
 
-TEST(PacketAssembler, TakesAShortMessageAsItIs) {
+TEST(PacketAssembler, PassesOnAShortMessageUnchanged) {
   const auto arrival = All().Put(kSender, Short("TICK", {1, 0, 3}));
   ASSERT_TRUE(arrival);
   EXPECT_EQ(arrival->channel, "TICK");
@@ -143,7 +143,7 @@ TEST(PacketAssembler, AForgedHeaderCompletesNothing) {
   }
 }
 
-TEST(PacketAssembler, ChanceIsNoMessage) {
+TEST(PacketAssembler, RandomBytesAreNoMessage) {
   std::mt19937_64 random(3);
   PacketAssembler assembler = All();
   for (int i = 0; i < 100'000; ++i) {

@@ -134,7 +134,7 @@ TEST(Stepper, RejectsWhatWasMeasuredAtATimeThatNoRunHas) {
   EXPECT_EQ(stepper.num_rejected().at("A"), 4);
 }
 
-TEST(Stepper, RefusesGroundTruthToWhoEstimates) {
+TEST(Stepper, RefusesGroundTruthToEstimators) {
   const auto handler = [](const status_t&) {
   };
   Stepper estimator({.name = "planner"});

@@ -226,14 +226,14 @@ TEST(CameraSet, SeesHandsAndParts) {
   }
 }
 
-TEST(DepthInCounts, RoundsAndKnowsNothingOfWhatIsTooFar) {
+TEST(DepthInCounts, RoundsAndIsZeroForWhatIsTooFar) {
   const DepthImage image = DepthInCounts(
       {0, 1, 1.00004F, 1.00006F, 6.5534F, 6.6F, 1e9F, INFINITY}, 8, 1, 1e-4);
   EXPECT_THAT(image.counts,
               testing::ElementsAre(0, 10000, 10000, 10001, 65534, 0, 0, 0));
 }
 
-TEST(CameraSet, MayReadTruthOnlyAsOneThatDrawsIt) {
+TEST(CameraSet, MayReadTruthOnlyIfItRendersIt) {
   EXPECT_TRUE(MayReadTruth("camera_set@1", "camera_renderer"));
   EXPECT_FALSE(MayReadTruth("camera_set@1", "camera_set@1"));
   EXPECT_FALSE(MayReadTruth("planner", "camera_renderer"));

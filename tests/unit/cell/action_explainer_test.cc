@@ -23,7 +23,7 @@ using testing::SizeIs;
 
 class ActionExplainerTest : public testing::Test {
  protected:
-  void See(const KeyFrame& frame) {
+  void Observe(const KeyFrame& frame) {
     Message message{};
     message.channel = "KEY_FRAME";
     message.bytes =
@@ -33,7 +33,7 @@ class ActionExplainerTest : public testing::Test {
   template <class Move>
   void Manipulate(const std::string& part, Move move) {
     stage_.Manipulate(part, move,
-                      [this](const KeyFrame& frame) { See(frame); });
+                      [this](const KeyFrame& frame) { Observe(frame); });
   }
 
   ShippedTask task_;
@@ -83,9 +83,9 @@ TEST_F(ActionExplainerTest, SaysWhatAnUnknownManipulationLacksOfTheNearest) {
 }
 
 TEST_F(ActionExplainerTest, AnEpisodeBeginsWithoutWhatWasInHand) {
-  See(stage_.Frame());
+  Observe(stage_.Frame());
   stage_.Hold("hand_right", "shaft");
-  See(stage_.Frame());
+  Observe(stage_.Frame());
   episode_t episode{};
   episode.phase = episode_t::START;
   Message message{};
@@ -94,7 +94,7 @@ TEST_F(ActionExplainerTest, AnEpisodeBeginsWithoutWhatWasInHand) {
   explainer_.Put(message);
   stage_.LetGo("hand_right", "shaft");
   stage_.StandAt("shaft", 0.3, -0.3);
-  See(stage_.Frame());
+  Observe(stage_.Frame());
   EXPECT_THAT(explainer_.explanations(), IsEmpty());
 }
 

@@ -63,7 +63,7 @@ class AssemblyObserverTest : public testing::Test {
   int64_t utime_ = 0;
 };
 
-TEST_F(AssemblyObserverTest, ThereIsNoScoreBeforeTwoLooks) {
+TEST_F(AssemblyObserverTest, ThereIsNoScoreBeforeTwoSnapshots) {
   EXPECT_FALSE(observer_.Score());
   Rest();
   ASSERT_TRUE(observer_.Score());

@@ -110,7 +110,7 @@ TEST_F(AssemblyScoreTest, WhatSitsOnAMissingPartIsMissingToo) {
   EXPECT_THAT(Score().missing, ElementsAre("base.pendulum", "pendulum.head"));
 }
 
-TEST_F(AssemblyScoreTest, TwoLooksMustBeApart) {
+TEST_F(AssemblyScoreTest, TwoSnapshotsMustBeApart) {
   EXPECT_THROW(ScoreAssembly(Look(0), Look(50'000), success_),
                std::invalid_argument);
 }

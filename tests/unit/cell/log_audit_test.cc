@@ -114,7 +114,7 @@ class LogAuditTest : public testing::Test {
     WriteCanonicalLog(index, AuditLog(index), out);
     return EventsOf(out);
   }
-  // As lcm-logger would have written what was heard.
+  // As lcm-logger would have written the messages that came.
   void WriteStock(const fs::path& path,
                   const std::function<bool(const Message&)>& is_lost) const {
     EventLogWriter writer(path);
@@ -253,15 +253,15 @@ TEST_F(LogAuditTest, OneByteFlippedOrRemovedCostsAtMostOneEventAndIsReported) {
             << num_killed << " times\n";
 }
 
-TEST_F(LogAuditTest, ManyDamagesInOneLogCostOneEventEach) {
+TEST_F(LogAuditTest, ManyCorruptBytesInOneLogCostOneEventEach) {
   const std::string whole = ContentsOf(Log());
   const std::vector<Event> events = EventsOf(Log());
   std::mt19937 random(7);
-  constexpr size_t kNumDamages = 10;
+  constexpr size_t kNumCorruptBytes = 10;
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE("log " + std::to_string(i));
     std::string bytes = whole;
-    for (size_t j = 0; j < kNumDamages; ++j) {
+    for (size_t j = 0; j < kNumCorruptBytes; ++j) {
       const size_t place = random() % bytes.size();
       if (random() % 2 == 0) {
         bytes[place] = static_cast<char>(bytes[place] ^ (1 + random() % 255));
@@ -272,7 +272,7 @@ TEST_F(LogAuditTest, ManyDamagesInOneLogCostOneEventEach) {
     const LogAudit audit = AuditOfBytes(bytes);
     const std::vector<Event> repaired = Repaired();
     const size_t num_true = NumIn(repaired, events);
-    EXPECT_GE(num_true + kNumDamages, events.size());
+    EXPECT_GE(num_true + kNumCorruptBytes, events.size());
     // Only what no TICK proves may be wrong.
     EXPECT_LE(static_cast<int64_t>(repaired.size() - num_true),
               audit.num_unproved);
@@ -500,7 +500,7 @@ TEST_F(LogAuditTest, AMessageWithAForgedNamesakeIsTheOneOfTheManifest) {
   EXPECT_EQ(ContentsOf(dir_ / "converted"), ContentsOf(Log()));
 }
 
-TEST_F(LogAuditTest, ALogOfOtherTypesIsToldWithChannelAndBothHashes) {
+TEST_F(LogAuditTest, ALogOfOtherTypesIsReportedWithChannelAndBothHashes) {
   auto events = EventsOf(Log());
   {
     EventLogWriter writer(Damaged());
@@ -518,7 +518,7 @@ TEST_F(LogAuditTest, ALogOfOtherTypesIsToldWithChannelAndBothHashes) {
   EXPECT_EQ(Repaired().size(), events.size());
 }
 
-TEST_F(LogAuditTest, AForeignLogHasNoManifestsAndIsKeptAsItStands) {
+TEST_F(LogAuditTest, AForeignLogHasNoManifestsAndIsKeptUnchanged) {
   {
     EventLogWriter writer(Damaged());
     for (int i = 0; i < 10; ++i) writer.Write(i, "POSE", Bytes(50, 7));
@@ -549,7 +549,7 @@ std::string Framed(int64_t number, int64_t utime, const std::string& channel,
   return text + channel + bytes;
 }
 
-TEST_F(LogAuditTest, AnEventThatSomebodyPutThereIsOneFinding) {
+TEST_F(LogAuditTest, AnInsertedEventIsOneFinding) {
   const std::string good = ContentsOf(Log());
   EventLogReader reader(Log());
   reader.Finish();
@@ -583,7 +583,7 @@ TEST_F(LogAuditTest, AWholeLogBehindAnotherIsOneFinding) {
                                         std::to_string(2 * good.size()))));
 }
 
-TEST_F(LogAuditTest, NumbersThatBeginAnewBehindADamageAreNoLoss) {
+TEST_F(LogAuditTest, NumbersThatRestartAfterACorruptRangeAreNoLoss) {
   const auto texts = Texts(
       AuditOfBytes(ContentsOf(Log()) + "garbage" + Framed(0, 5, "A", "b")));
   EXPECT_THAT(texts, Contains(HasSubstr("the numbers restart at 0")));
@@ -604,7 +604,7 @@ class ForeignLog : public LogAuditTest {
   }
 };
 
-TEST_F(ForeignLog, WhoseTimeRunsBackIsToldWhere) {
+TEST_F(ForeignLog, ReportsWhereTimeRunsBack) {
   EXPECT_THAT(TextsOf([](int i) { return i * 8000; }), IsEmpty());
   EXPECT_THAT(
       TextsOf([](int i) { return i * 8000 - (i >= 100 ? 250'000 : 0); }),
@@ -614,18 +614,18 @@ TEST_F(ForeignLog, WhoseTimeRunsBackIsToldWhere) {
               "time runs backwards: it is 0.242000 s earlier than the "))));
 }
 
-TEST_F(ForeignLog, ThatIsSilentForLongIsToldWhere) {
+TEST_F(ForeignLog, ReportsWhereItPausesForLong) {
   EXPECT_THAT(
       TextsOf([](int i) { return i * 8000 + (i >= 100 ? 60'000'000 : 0); }),
       testing::ElementsAre(
           AllOf(HasSubstr("damaged byte 7200 "),
                 HasSubstr("no event for 60.008 s before it"))));
-  // One that speaks now and then is none the worse for it.
+  // A log of a few messages with pauses between is not reported.
   EXPECT_THAT(TextsOf([](int i) { return i * 8000 + i / 10 * 5'000'000; }),
               IsEmpty());
 }
 
-TEST_F(ForeignLog, ThatLacksNumbersIsToldWhereOrThatItHasNone) {
+TEST_F(ForeignLog, ReportsWhereNumbersAreMissingOrThatThereAreNone) {
   const auto utime_of = [](int i) {
     return i * 8000;
   };
@@ -660,7 +660,7 @@ TEST_F(LogAuditTest, PartsOfLcmLoggerAreReadInTheOrderOfTheirNumbers) {
   EXPECT_THROW(RequireLogsOf(folder), std::runtime_error);
 }
 
-TEST_F(LogAuditTest, WhatIsNoLogIsSaidToBeNone) {
+TEST_F(LogAuditTest, AFileThatIsNoLogIsReportedAsSuch) {
   EXPECT_THROW(AuditOfBytes(""), std::runtime_error);
   EXPECT_THROW(AuditOfBytes(std::string(3000, 'x')), std::runtime_error);
 }

@@ -93,8 +93,8 @@ class MotionCheckTest : public testing::Test {
     SetArguments({{"part", part}}, &request);
     Put("SKILL_REQUEST", request, 5);
   }
-  void Say(const std::string& arm, int64_t id, const std::string& phase,
-           const std::string& held) {
+  void Report(const std::string& arm, int64_t id, const std::string& phase,
+              const std::string& held) {
     arm_report_t report{};
     report.arm = arm;
     report.request = id;
@@ -114,7 +114,7 @@ class MotionCheckTest : public testing::Test {
   }
   // Of the held part, in a skill that could touch it before.
   void ExpectCollisionInCarrying(const std::string& other) {
-    Say("right", 3, "carry", kPart);
+    Report("right", 3, "carry", kPart);
     Look();
     EXPECT_THAT(
         check_.violations(),
@@ -146,7 +146,7 @@ TEST_F(MotionCheckTest, NothingIsWrongWithArmsAtHome) {
     for (const char* arm : {"left", "right"}) {
       PutState(arm);
       PutSetpoint(arm);
-      Say(arm, -1, "", "");
+      Report(arm, -1, "", "");
     }
   }
   EXPECT_THAT(check_.violations(), IsEmpty());
@@ -189,7 +189,7 @@ TEST_F(MotionCheckTest, ArmsThatMeetAreFoundOnce) {
 
 TEST_F(MotionCheckTest, AFingerInAPartThatIsNotBeingGraspedIsFound) {
   Ask("right", 3, "round_peg_2");
-  Say("right", 3, "reach", "");
+  Report("right", 3, "reach", "");
   const std::string box = Arm("right").gripper + ".finger_1";
   poses_[kPart] = poses_.at(box);
   Look();
@@ -212,11 +212,11 @@ TEST_F(MotionCheckTest, TheHandMayTouchWhatItGraspsUntilItHasDrawnBack) {
                                     {"seat", kPart},
                                     {"let go", kPart},
                                     {"draw back", ""}}) {
-    Say("right", 3, phase, held);
+    Report("right", 3, phase, held);
     Look();
   }
   EXPECT_THAT(check_.violations(), IsEmpty());
-  Say("right", -1, "", "");
+  Report("right", -1, "", "");
   Look();
   EXPECT_THAT(check_.violations(),
               testing::Contains(Is(7, "right", Kind::kCollision,
@@ -228,9 +228,9 @@ TEST_F(MotionCheckTest, AHeldPartMayTouchOthersWhereItIsSeatedNotOnTheWay) {
   poses_["head"] = poses_.at(kPart);
   poses_["head"].translation().z() -= 0.055;
   Ask("right", 3, kPart);
-  Say("right", 3, "lift", kPart);
+  Report("right", 3, "lift", kPart);
   Look();
-  Say("right", 3, "seat", kPart);
+  Report("right", 3, "seat", kPart);
   Look();
   EXPECT_THAT(check_.violations(), IsEmpty());
   ExpectCollisionInCarrying("head");
@@ -239,14 +239,14 @@ TEST_F(MotionCheckTest, AHeldPartMayTouchOthersWhereItIsSeatedNotOnTheWay) {
 TEST_F(MotionCheckTest, AHeldPartMayTouchTheTableWhereItIsTakenNotOnTheWay) {
   Ask("right", 3, kPart);
   for (const char* phase : {"lift", "set down"}) {
-    Say("right", 3, phase, kPart);
+    Report("right", 3, phase, kPart);
     Look();
   }
   EXPECT_THAT(check_.violations(), IsEmpty());
   ExpectCollisionInCarrying("table");
 }
 
-TEST_F(MotionCheckTest, WhatAPersonBringsAgainstAnArmThatStandsIsNotItsDoing) {
+TEST_F(MotionCheckTest, AStandingArmIsNotBlamedForWhatAPersonMovesAgainstIt) {
   poses_[kPart] = poses_.at("arm_right.link_6");
   const CellLayout::Hand& hand = task_.layout.hands.front();
   for (const HandType::Box& box : hand.type.boxes) {
@@ -339,7 +339,7 @@ TEST_F(MotionCheckTest, WhatDoesNotDecodeIsPassedOver) {
   EXPECT_THAT(check_.violations(), IsEmpty());
 }
 
-TEST_F(MotionCheckTest, SaysWhatItHasNotSeen) {
+TEST_F(MotionCheckTest, ReportsMessagesThatItCouldNotCheck) {
   EXPECT_THAT(check_.Gaps(),
               ElementsAre("ARM_STATE_LEFT: the log holds no message",
                           "ARM_STATE_RIGHT: the log holds no message",

@@ -1,4 +1,4 @@
-// The story that a run tells on the screen.
+// What a run prints on the screen.
 #include "services/cell/reporting/narrator.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ std::vector<std::string> Trimmed(std::vector<std::string> lines) {
   return lines;
 }
 
-TEST(Narrator, TellsTheNextStepAndHowManyFollow) {
+TEST(Narrator, PrintsTheNextStepAndHowManyFollow) {
   Narrator narrator;
   const auto tell = [&](const std::vector<std::string>& actions) {
     return Trimmed(narrator.Describe(MessageOf("PLAN", PlanOf(actions))));
@@ -58,7 +58,7 @@ TEST(Narrator, TellsTheNextStepAndHowManyFollow) {
   EXPECT_THAT(tell({}), ElementsAre("the goal is reached"));
 }
 
-TEST(Narrator, TellsWholePlansOnRequestOnly) {
+TEST(Narrator, PrintsWholePlansOnRequestOnly) {
   Narrator narrator(true);
   EXPECT_THAT(Trimmed(narrator.Describe(MessageOf("PLAN", PlanOf({"A", "B"})))),
               ElementsAre("next: A(), then 1 more step",
@@ -66,7 +66,7 @@ TEST(Narrator, TellsWholePlansOnRequestOnly) {
                           "possible now: A(), B()"));
 }
 
-TEST(Narrator, TellsWhatHasChangedNotWhatThereIs) {
+TEST(Narrator, PrintsChangesNotTheWholeState) {
   predicates_t predicates{};
   for (const char* name : {"Calm", "Open"}) {
     literal_t literal{};
@@ -84,7 +84,7 @@ TEST(Narrator, TellsWhatHasChangedNotWhatThereIs) {
               ElementsAre("now: not Open()"));
 }
 
-TEST(Narrator, TellsTheConfidenceInAnActionOnRequestOnly) {
+TEST(Narrator, PrintsTheConfidenceInAnActionOnRequestOnly) {
   recognised_action_t action{};
   action.kind = recognised_action_t::FORWARD;
   action.name = "Insert";
@@ -102,7 +102,7 @@ TEST(Narrator, TellsTheConfidenceInAnActionOnRequestOnly) {
               HasSubstr("by hand, confidence 0.88"));
 }
 
-TEST(Narrator, TellsTheFormulaOfAQuestionOnRequestOnly) {
+TEST(Narrator, PrintsTheFormulaOfAQuestionOnRequestOnly) {
   execution_t execution{};
   execution.state = execution_t::STUCK;
   execution.text = "please put the shaft back";

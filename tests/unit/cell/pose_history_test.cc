@@ -28,7 +28,7 @@ TEST(PoseHistory, AreAlwaysFarEnoughApart) {
   }
 }
 
-TEST(PoseHistory, BeginAnewWhenTimesRunBackwards) {
+TEST(PoseHistory, StartAgainWhenTimesRunBackwards) {
   PoseHistory pose_history;
   EXPECT_TRUE(pose_history.is_empty());
   PutAt(0, pose_history);

@@ -1,4 +1,4 @@
-// Deaths whose reason lasts, and how a reason reaches the person.
+// Deaths for a lasting reason, and how the reason reaches the user.
 #include "services/cell/running/restart_policy.h"
 
 #include <gmock/gmock.h>
@@ -46,7 +46,7 @@ TEST(RestartPolicy, EndsAtOnceForWrongArgumentsAndFilesAndMissingPrograms) {
   }
 }
 
-TEST(RestartPolicy, EndsWhatIsKilledAgainAndAgain) {
+TEST(RestartPolicy, GivesUpServicesThatAreKilledRepeatedly) {
   RestartPolicy policy;
   int num_restarts = 0;
   while (!policy.WhyNot({.name = "recorder"}, "") && num_restarts < 100) {

@@ -1,4 +1,4 @@
-// What the task ships as learned is what its recordings teach.
+// The models that the task ships are those its recordings give.
 #include "services/cell/learning/sec_lessons.h"
 
 #include <gmock/gmock.h>

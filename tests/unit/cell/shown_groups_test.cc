@@ -65,8 +65,8 @@ TEST(ShownGroups, WithoutTypesTheSameTopologyIsOneAndNothingElse) {
   EXPECT_EQ(groups.models.size(), 2u);
   EXPECT_EQ(groups.num_pure, 20);
   EXPECT_EQ(groups.num_same, 10);
-  EXPECT_EQ(groups.num_twins, 20);
-  EXPECT_EQ(groups.num_twins_merged, 20);
+  EXPECT_EQ(groups.num_ambiguous, 20);
+  EXPECT_EQ(groups.num_ambiguous_merged, 20);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST(StreamScore, CountsWhatIsNamedAsItWasDone) {
   EXPECT_THAT(score.errors, IsEmpty());
 }
 
-TEST(StreamScore, WrongNamesPlacesTimesAndInventionsAreErrors) {
+TEST(StreamScore, WrongNamesPlacesTimesAndFalseActionsAreErrors) {
   using enum ActionDirection;
   const ShownStream stream{
       {Did(10, Kind::kPlaced, "bolt", "plate.a"),

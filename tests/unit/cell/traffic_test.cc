@@ -1,4 +1,4 @@
-// What `cell top` shows of what it hears.
+// What `cell top` shows of the messages that it receives.
 #include "services/cell/running/traffic.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ Bytes Health(int64_t cpu_us, int32_t sender = 1) {
   return Bus::Encode(health);
 }
 
-TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
+TEST(Traffic, ComputesProcessorSharesFromTwoHealthsByTheirOwnTimes) {
   Traffic traffic(kNumServices);
   traffic.OnControl("HEALTH", Health(4'000'000), 0.25);
   EXPECT_FALSE(traffic.KnowsProcessorTimes());
@@ -45,7 +45,7 @@ TEST(Traffic, KnowsAProcessorsShareFromTwoHealthsByTheirOwnTimes) {
   EXPECT_EQ(traffic.MakeReport(0.1).processes[0].processor, 0.25);
 }
 
-TEST(Traffic, ANewLifeCountsFromItsFirstHealth) {
+TEST(Traffic, ANewIncarnationCountsFromItsFirstHealth) {
   Traffic traffic(kNumServices);
   traffic.OnControl("HEALTH", Health(9'000'000), 1);
   traffic.OnControl("HEALTH", Health(100'000, 1001), 2);

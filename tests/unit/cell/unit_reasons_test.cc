@@ -1,4 +1,4 @@
-// What a person is told of systemd, and of the environment of a cell's units.
+// Reasons that systemd has, and errors in the environment of the units.
 #include <gmock/gmock.h>
 
 #include <filesystem>

@@ -38,14 +38,14 @@ TEST(Config, NamesFileAndKeyOfWhatIsMissingOrMalformed) {
               HasSubstr("toy.yaml:n: 11 lies outside [0, 10]"));
 }
 
-TEST(Config, RefusesKeysThatNobodyRead) {
+TEST(Config, RefusesUnreadKeys) {
   const Config config = Config::Parse("a: {b: 1, typo: 2}", "toy.yaml");
   config["a"].Get<int>("b");
   EXPECT_THAT(ErrorOf([&] { config.Finish(); }),
               HasSubstr("toy.yaml:a.typo: not known"));
 }
 
-TEST(Config, RefusesKeysThatNobodyReadInsideLists) {
+TEST(Config, RefusesUnreadKeysInsideLists) {
   const Config config =
       Config::Parse("list: [{a: 1}, {a: 1, typo: 2}]", "toy.yaml");
   for (const Config& item : config["list"].Items()) item.Get<int>("a");
@@ -64,7 +64,7 @@ TEST(Config, RefusesEmptyValuesAndNumbersThatAreNotFinite) {
               HasSubstr("toy.yaml:list[1]: "));
 }
 
-TEST(Config, RefusesKeysThatNobodyReadInMixedLists) {
+TEST(Config, RefusesUnreadKeysInMixedLists) {
   const Config config = Config::Parse("list: [x, {a: 1, typo: 2}]", "toy.yaml");
   config["list"].Items()[1].Get<int>("a");
   EXPECT_THAT(ErrorOf([&] { config.Finish(); }),
@@ -78,8 +78,8 @@ TEST(Config, SaysWhatIsNotYamlOrNotThere) {
               HasSubstr("/nonexistent.yaml: cannot be opened"));
 }
 
-// What YAML allows and nobody means, each with the line that has it.
-TEST(Config, RefusesWhatAPersonDoesNotMean) {
+// What YAML allows but is a mistake here, each with the line that has it.
+TEST(Config, RefusesYamlThatIsProbablyAMistake) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"a: 1\nb: {c: 1, c: 2}\n", "toy.yaml:b.c: the key already exists"},
       {"a: 1\na: 2\n", "(line 2)"},

@@ -127,7 +127,7 @@ TEST_P(Contract, KeepsAllOfThemOrNone) {
   EXPECT_EQ(StoreOne(*store_, "New", 1), 2);
 }
 
-TEST_P(Contract, RollsBackWhatWasStoredFromATickOnAndGivesTheIdsAnew) {
+TEST_P(Contract, RollsBackWhatWasStoredFromATickOnAndReusesItsIds) {
   StoreOne(*store_, "Before", kBeforeRun);
   for (int32_t tick = 1; tick <= 4; ++tick) {
     StoreOne(*store_, "In" + std::to_string(tick), tick);

@@ -1,5 +1,5 @@
-// The library on a bus: what it answers, and that it knows after a death what
-// it said before it.
+// The library on a bus: what it answers, and that it keeps its answers in spite
+// of a death.
 #include "services/library/library.h"
 
 #include <gmock/gmock.h>
@@ -123,7 +123,7 @@ TEST(LibraryService, DoesTheSameInEveryRun) {
             RunCell(ShippedDeployment()).digests);
 }
 
-TEST(LibraryService, KnowsAfterADeathWhatItStoredBeforeAndNothingElse) {
+TEST(LibraryService, HasAfterADeathExactlyWhatItStoredBefore) {
   const Said said = RunCell(ShippedDeployment(), {{"library", 50, 61}});
   // Asked for in tick 80, published one later.
   const auto names = NamesPublishedIn(said, 2 * keeping::kRequestPeriod + 1);
@@ -147,11 +147,12 @@ TEST(LibraryService, KnowsAfterADeathWhatItStoredBeforeAndNothingElse) {
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), names.begin()));
 }
 
-/// A life of the library whose first tick says when the one before died.
-class Life {
+/// An incarnation of the library, told in its first tick when the last one
+/// died.
+class Incarnation {
  public:
-  Life(std::shared_ptr<ActionStore> store, int32_t join_tick,
-       int32_t death_tick)
+  Incarnation(std::shared_ptr<ActionStore> store, int32_t join_tick,
+              int32_t death_tick)
       : service_(MakeLibrary(stepper_, ShippedDeployment(), store)),
         tick_(join_tick) {
     tick_t tick{};
@@ -200,11 +201,11 @@ class Life {
 TEST(LibraryService, ForgetsWhatItStoredInTheTickThatItDidNotAnswer) {
   const auto store = std::make_shared<MemoryActionStore>();
   {
-    Life life(store, 0, -1);
-    life.Ask("InTick1");
-    life.Ask("InTick2");  // killed before its ACK
+    Incarnation library(store, 0, -1);
+    library.Ask("InTick1");
+    library.Ask("InTick2");  // killed before its ACK
   }
-  { Life life(store, 9, 2); }
+  { Incarnation library(store, 9, 2); }
   EXPECT_EQ(store->All().size(), 1u);
   EXPECT_TRUE(store->FindNamed("InTick1"));
 }
@@ -212,56 +213,56 @@ TEST(LibraryService, ForgetsWhatItStoredInTheTickThatItDidNotAnswer) {
 TEST(LibraryService, KeepsAllOfEarlierRunsWhateverTicksTheyHad) {
   const auto store = std::make_shared<MemoryActionStore>();
   {
-    Life life(store, 800, -1);
-    life.Ask("Early");
+    Incarnation library(store, 800, -1);
+    library.Ask("Early");
   }
-  { Life life(store, 0, -1); }  // of the next run
-  { Life life(store, 40, 20); }
+  { Incarnation library(store, 0, -1); }  // of the next run
+  { Incarnation library(store, 40, 20); }
   EXPECT_TRUE(store->FindNamed("Early"));
   // Killed in its first tick, before or after it had done anything in it.
-  { Life life(store, 1, 0); }
+  { Incarnation library(store, 1, 0); }
   EXPECT_TRUE(store->FindNamed("Early"));
 }
 
 TEST(LibraryService, PublishesTheOneThatIsAskedFor) {
   const auto store = std::make_shared<MemoryActionStore>();
-  Life life(store, 0, -1);
-  life.Ask("One");
-  const auto two = life.Ask("Two");
+  Incarnation library(store, 0, -1);
+  library.Ask("One");
+  const auto two = library.Ask("Two");
   ASSERT_EQ(two.size(), 2u);
-  const auto found = life.Request(2);
+  const auto found = library.Request(2);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(DecodedAs<action_record_t>(found[0]).name, "Two");
   EXPECT_EQ(DecodedAs<answer_t>(found[1]).outcome, answer_t::ACCEPTED);
-  const auto missing = life.Request(3);
+  const auto missing = library.Request(3);
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(DecodedAs<answer_t>(missing[0]).outcome, answer_t::REFUSED);
-  EXPECT_EQ(life.Request(0).size(), 3u);
+  EXPECT_EQ(library.Request(0).size(), 3u);
 }
 
 TEST(LibraryService, ReplacesAnActionByItsNextVersion) {
   const auto store = std::make_shared<MemoryActionStore>();
-  Life life(store, 0, -1);
-  life.Ask("One");
-  life.Ask("Two");
+  Incarnation library(store, 0, -1);
+  library.Ask("One");
+  library.Ask("Two");
   ActionRecord next = keeping::Good("One");
   next.version = 2;
-  const auto said = life.Store(next);
+  const auto said = library.Store(next);
   ASSERT_EQ(said.size(), 2u);
   EXPECT_EQ(DecodedAs<stored_t>(said[0]).outcome, stored_t::STORED);
   const auto record = DecodedAs<action_record_t>(said[1]);
   EXPECT_EQ(record.version, 2);
   EXPECT_EQ(record.id, 3);
-  EXPECT_EQ(life.Request(0).size(), 3u);  // and the answer
+  EXPECT_EQ(library.Request(0).size(), 3u);  // and the answer
 }
 
 TEST(LibraryService, PublishesAllOnceToAnEpisodeThatItJoins) {
   const auto store = std::make_shared<MemoryActionStore>();
-  Life life(store, 30, 20);
-  life.Ask("One");
-  EXPECT_EQ(life.Episode(episode_t::RUNNING).size(), 1u);
-  EXPECT_EQ(life.Episode(episode_t::RUNNING).size(), 0u);
-  EXPECT_EQ(life.Episode(episode_t::START).size(), 1u);
+  Incarnation library(store, 30, 20);
+  library.Ask("One");
+  EXPECT_EQ(library.Episode(episode_t::RUNNING).size(), 1u);
+  EXPECT_EQ(library.Episode(episode_t::RUNNING).size(), 0u);
+  EXPECT_EQ(library.Episode(episode_t::START).size(), 1u);
 }
 
 TEST(LibraryService, RefusesAStoreOfAnotherTaskAndSaysWhatToDo) {
@@ -270,7 +271,7 @@ TEST(LibraryService, RefusesAStoreOfAnotherTaskAndSaysWhatToDo) {
   const auto store =
       std::make_shared<MemoryActionStore>(std::vector<ActionRecord>{record});
   try {
-    Life life(store, 0, -1);
+    Incarnation library(store, 0, -1);
     FAIL() << "took it";
   } catch (const StoreError& e) {
     EXPECT_THAT(e.what(), HasSubstr("action 1: OpenDoor:arguments.X"));

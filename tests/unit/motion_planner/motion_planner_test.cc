@@ -40,7 +40,7 @@ class MotionPlanning : public testing::Test {
 TEST_F(MotionPlanning, AnswersEachArm) {
   std::vector<Message> inputs;
   for (const char* arm : {"left", "right"}) {
-    MotionRequest request = cell_.Take("shaft", arm);
+    MotionRequest request = cell_.TakeRequest("shaft", arm);
     request.id = 40 + static_cast<int64_t>(inputs.size());
     inputs.push_back(Asking(request));
   }
@@ -53,7 +53,7 @@ TEST_F(MotionPlanning, AnswersEachArm) {
 }
 
 TEST_F(MotionPlanning, AnswersTheNewestOfAnArmAndItsReachApart) {
-  MotionRequest request = cell_.Take("shaft", "right");
+  MotionRequest request = cell_.TakeRequest("shaft", "right");
   std::vector<Message> inputs;
   for (const int64_t id : {1, 2, 3}) {
     request.id = id;

@@ -25,7 +25,7 @@ class MotionSearching : public testing::Test {
     return cell_.search.Find(request);
   }
   MotionPlan Grasp() const {
-    const MotionPlan plan = Find(cell_.Take("round_peg_1", "right"));
+    const MotionPlan plan = Find(cell_.TakeRequest("round_peg_1", "right"));
     EXPECT_TRUE(plan) << plan.reason;
     return plan;
   }
@@ -92,7 +92,7 @@ TEST_F(MotionSearching, WhatCanBeMovedLeavesAPartWithinReach) {
   Put("square_peg_1", 0.07, -0.40);
   Put("square_peg_2", 0.10, -0.37);
   Put("shaft", 0.10, -0.43);
-  EXPECT_FALSE(Find(cell_.Take("round_peg_1", "right")));
+  EXPECT_FALSE(Find(cell_.TakeRequest("round_peg_1", "right")));
   EXPECT_TRUE(cell_.IsReachable("round_peg_1", "right"));
   Put("round_peg_1", 0.10, -0.95);
   EXPECT_FALSE(cell_.IsReachable("round_peg_1", "right"));
@@ -101,7 +101,7 @@ TEST_F(MotionSearching, WhatCanBeMovedLeavesAPartWithinReach) {
 TEST_F(MotionSearching, WhereAnotherArmStandsNowDoesNotCount) {
   const auto taken = GraspsOfLeft();
   ASSERT_TRUE(taken) << taken.reason();
-  MotionRequest request = cell_.Take("round_peg_1", "right");
+  MotionRequest request = cell_.TakeRequest("round_peg_1", "right");
   request.arms["left"].posture = {taken->front().q_grasp, taken->front().grip,
                                   0.05};
   const MotionPlan plan = Find(request);
@@ -168,7 +168,7 @@ TEST_F(MotionSearching, WhatItPresentsTheOtherArmCanTake) {
 }
 
 TEST_F(MotionSearching, AnAnswerIsAFunctionOfItsRequest) {
-  const MotionRequest request = cell_.Take("round_peg_1", "right");
+  const MotionRequest request = cell_.TakeRequest("round_peg_1", "right");
   const auto encoded = [&](const MotionRequest& asked) {
     const auto message = ToMessage(Find(asked), 0);
     std::vector<uint8_t> bytes(static_cast<size_t>(message.getEncodedSize()));
@@ -176,7 +176,7 @@ TEST_F(MotionSearching, AnAnswerIsAFunctionOfItsRequest) {
     return bytes;
   };
   const auto before = encoded(request);
-  MotionRequest other = cell_.Take("round_peg_1", "left");
+  MotionRequest other = cell_.TakeRequest("round_peg_1", "left");
   encoded(other);
   EXPECT_EQ(encoded(request), before);
   // As it comes over the bus.

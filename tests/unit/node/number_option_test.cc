@@ -1,4 +1,4 @@
-// What an option says of a number that it cannot take.
+// Errors of options for numbers that they cannot take.
 #include "common/node/number_option.h"
 
 #include <gmock/gmock.h>

@@ -123,7 +123,7 @@ TEST_F(CranfieldPlanning, EveryPartOutOfReachIsNamedAtAnyStage) {
   }
 }
 
-TEST_F(CranfieldPlanning, ASpareTwinPegIsNoObstacle) {
+TEST_F(CranfieldPlanning, ASpareIdenticalPegIsNoObstacle) {
   State state = cranfield_.Do(cranfield_.Start(), "PlaceRoundPeg",
                               {"round_peg_2", "base.round_1"});
   EXPECT_NEAR(search_.Find(state).expected_actions, 8 * kPerAction, 1e-8);

@@ -1,5 +1,5 @@
-// The robot's plan and when it is made anew; what was sensed and when it is
-// asked for.
+// The robot's plan and when it is made again; the sensed state and when it is
+// requested.
 #include "services/planner/current_plan.h"
 
 #include <gmock/gmock.h>
@@ -55,7 +55,7 @@ TEST_F(CurrentPlanTest, IsMadeOnceForAState) {
   EXPECT_EQ(num_found_, 2);
 }
 
-TEST_F(CurrentPlanTest, IsMadeAnewWithoutWhatIsBlocked) {
+TEST_F(CurrentPlanTest, IsMadeAgainWithoutBlockedActions) {
   plan_.Find(state_, {});
   EXPECT_FALSE(plan_.IsFor(state_, blocked_));
   EXPECT_EQ(plan_.Find(state_, blocked_).steps.size(), 1u);
@@ -63,7 +63,7 @@ TEST_F(CurrentPlanTest, IsMadeAnewWithoutWhatIsBlocked) {
   EXPECT_EQ(plan_.get().steps.size(), 1u);
 }
 
-TEST_F(CurrentPlanTest, IsMadeAnewForAnotherGoalAndByOtherRules) {
+TEST_F(CurrentPlanTest, IsMadeAgainForAnotherGoalAndByOtherRules) {
   plan_.Find(state_, {});
   plan_.SetGoal(bench_.GoalOf("one"));
   EXPECT_FALSE(plan_.IsFor(state_, {}));

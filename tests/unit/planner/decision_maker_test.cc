@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Rules by which nobody can close the lid.
+/// Rules by which no agent can close the lid.
 BenchDomain WithoutClosing(int64_t version) {
   return BenchDomain(BenchWith("[Closed(X)]", "[]"), version);
 }
@@ -90,7 +90,7 @@ TEST_F(Deciding, BeginsNothingWithoutPermission) {
   EXPECT_THAT(Run({}, 3).requests, SizeIs(1));
 }
 
-TEST_F(Deciding, AnUnknownAgentOrGoalIsSaidAndNobodyActs) {
+TEST_F(Deciding, AnUnknownAgentOrGoalIsReportedAndNothingIsDone) {
   for (const auto& [agent, goal] :
        {std::pair("cat", "done"), std::pair("robot", "dome")}) {
     const Decisions out = Begin(agent, goal);

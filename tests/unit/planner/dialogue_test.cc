@@ -33,7 +33,7 @@ class DialogueTest : public testing::Test {
   }();
 };
 
-TEST_F(DialogueTest, IsPatientForAWhileAndAnewAfterAnArmHasStarted) {
+TEST_F(DialogueTest, IsPatientForAWhileAndAgainAfterAnArmHasStarted) {
   EXPECT_TRUE(dialogue_.IsPatient(At(1'000)));
   EXPECT_TRUE(dialogue_.IsPatient(At(kPatienceUs)));
   EXPECT_FALSE(dialogue_.IsPatient(At(kPatienceUs + 1'000)));
@@ -65,7 +65,7 @@ TEST_F(DialogueTest, ThePersonIsAtWorkFromAChangeUntilTheStateStays) {
   EXPECT_FALSE(dialogue_.IsPersonAtWork(other_, At(2 * kPatienceUs)));
 }
 
-TEST_F(DialogueTest, NobodyIsAtWorkWhoWasNotAsked) {
+TEST_F(DialogueTest, APersonWhoWasNotAskedIsNotAtWork) {
   EXPECT_FALSE(dialogue_.IsPersonAtWork(other_, At(1)));
 }
 

@@ -367,7 +367,7 @@ TEST_F(Bench, AnArmThatWasStoppedGoesFreeBeforeTheStateIsSensed) {
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
 }
 
-TEST_F(Bench, AStopOnTheWayToGoFreeIsGotOverHoweverOftenItComes) {
+TEST_F(Bench, StopsDuringGoFreeAreRecoveredFromHoweverOften) {
   Step(10);
   End("right", SkillResult::Outcome::kStopped, "protective stop");
   Step(10);
@@ -392,7 +392,7 @@ TEST_F(Bench, AnArmThatCannotGoFreeIsAskedForTheNextActionAllTheSame) {
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_1 at hole_1"));
 }
 
-TEST_F(Bench, WayThatIsGivenToAPersonIsNoFailure) {
+TEST_F(Bench, YieldingToAPersonIsNoFailure) {
   Step(10);
   for (int i = 0; i < 5; ++i) {
     End("right", SkillResult::Outcome::kYielded, "a hand is in the way");
@@ -412,24 +412,24 @@ TEST_F(Bench, AsksForNothingThatAPersonPutsBackSoonEnough) {
   EXPECT_EQ(told_.back().state, ExecutionStatus::State::kRunning);
 }
 
-TEST_F(Bench, ANewLifeOfThePlannerWaitsForTheArmsAndSenses) {
+TEST_F(Bench, ARestartedPlannerWaitsForTheArmsAndSenses) {
   Step(10);
   EXPECT_EQ(TakeAsked().size(), 1u);
   Begin("done");
   Step(20);
   EXPECT_THAT(TakeAsked(), IsEmpty());  // the arm still works
   EXPECT_FALSE(is_sensing_);
-  // Its end is nobody's; what it did is sensed.
+  // The result belongs to no request; its effect is sensed.
   Succeed("right", "In(bolt_1, hole_1)");
   Step(10);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: insert bolt_2 at hole_2"));
 }
 
-TEST_F(Bench, AnArmThatBeganAnewIsAskedAgainAfterAFreshLook) {
+TEST_F(Bench, ARestartedArmIsAskedAgainAfterSensing) {
   Step(10);
   EXPECT_EQ(TakeAsked().size(), 1u);
   const int num_sensed = num_sensed_;
-  arms_["right"].request = -1;  // its new life knows nothing
+  arms_["right"].request = -1;  // lost by its restart
   Step(20);
   EXPECT_THAT(TakeAsked(), ElementsAre("right: go free"));
   End("right");
@@ -438,7 +438,7 @@ TEST_F(Bench, AnArmThatBeganAnewIsAskedAgainAfterAFreshLook) {
   EXPECT_GT(num_sensed_, num_sensed);
 }
 
-TEST_F(Bench, AnArmThatIsDeafEndsInAQuestion) {
+TEST_F(Bench, AnArmThatDoesNotRespondEndsInAQuestion) {
   is_deaf_ = true;
   true_ = {"In(bolt_1, hole_1)", "In(bolt_2, hole_2)"};
   Step(300);

@@ -165,7 +165,7 @@ TEST_F(PlannerService, PlansAfterAnActionAndWarnsOfItsReversal) {
               HasSubstr("taking back PlaceRoundPeg(shaft, base.shaft)"));
 }
 
-TEST_F(PlannerService, AGoalThatIsNotThereIsSaidAndNotPlannedFor) {
+TEST_F(PlannerService, AnUnknownGoalIsReportedAndNotPlannedFor) {
   Start("assembeld");
   Give("PREDICATES", Predicates(0, cranfield_.Start()));
   Run();
@@ -175,7 +175,7 @@ TEST_F(PlannerService, AGoalThatIsNotThereIsSaidAndNotPlannedFor) {
   EXPECT_TRUE(plans_.empty());
 }
 
-TEST_F(PlannerService, ANewEpisodeStartsAfresh) {
+TEST_F(PlannerService, ANewEpisodeStartsFromItsFirstState) {
   Start("assembled");
   Give("PREDICATES", Predicates(0, cranfield_.Start()));
   Run();
@@ -186,7 +186,7 @@ TEST_F(PlannerService, ANewEpisodeStartsAfresh) {
   EXPECT_EQ(plans_[0].num_steps, 2);
 }
 
-TEST_F(PlannerService, ALifeWithinAnEpisodeTellsWhatItFindsDone) {
+TEST_F(PlannerService, ARestartWithinAnEpisodeReportsWhatIsAlreadyDone) {
   Phase(episode_t::RUNNING);
   Run();
   EXPECT_EQ(num_asked_, 1);  // there may be no further key frame
@@ -196,7 +196,7 @@ TEST_F(PlannerService, ALifeWithinAnEpisodeTellsWhatItFindsDone) {
   EXPECT_THAT(told, Not(HasSubstr("round")));
 }
 
-TEST_F(PlannerService, ALifeWithinAnEpisodeAsksUntilItIsToldTheState) {
+TEST_F(PlannerService, ARestartWithinAnEpisodeAsksUntilItReceivesTheState) {
   Phase(episode_t::RUNNING);
   int num_asked = 0;
   for (int i = 0; i < 500; ++i) {
@@ -240,7 +240,7 @@ TEST_F(PlannerService, WhatWaitsForAnActionOutlivesAnotherGoal) {
   EXPECT_THAT(UnseenWithin(30), HasSubstr("PegInHole(shaft, base.shaft)"));
 }
 
-TEST_F(PlannerService, WhatWaitsForAnActionIsToldWhenTheEpisodeIsOver) {
+TEST_F(PlannerService, WhatWaitsForAnActionIsReportedWhenTheEpisodeIsOver) {
   Start("assembled");
   Give("PREDICATES", Predicates(0, cranfield_.Start()));
   Run();

@@ -211,7 +211,7 @@ TEST_F(RobotPlanner, APersonsEpisodeMovesNoArm) {
   EXPECT_THAT(plans_, SizeIs(1));
 }
 
-TEST_F(RobotPlanner, AnAgentThatIsNobodyIsSaidOnce) {
+TEST_F(RobotPlanner, AnUnknownAgentIsReportedOnce) {
   Start("cat", "assembled");
   Run(50);
   episode_t episode{};
@@ -226,7 +226,7 @@ TEST_F(RobotPlanner, AnAgentThatIsNobodyIsSaidOnce) {
   EXPECT_THAT(requests_, IsEmpty());
 }
 
-TEST_F(RobotPlanner, ANewLifeGoesOnWithoutDoingAnythingTwice) {
+TEST_F(RobotPlanner, ARestartGoesOnWithoutDoingAnythingTwice) {
   Start("robot", "assembled");
   Run(100);
   ASSERT_THAT(requests_, SizeIs(1));
@@ -316,7 +316,7 @@ TEST_F(RobotPlanner, TakesAnotherGoalByCommandAndRefusesLateOrUnknownOnes) {
   EXPECT_THAT(answers_[2].text, HasSubstr("no goal 'nowhere'"));
 }
 
-TEST_F(RobotPlanner, WhoIsWatchedMayBeGivenAnotherGoal) {
+TEST_F(RobotPlanner, AWatchedEpisodeMayGetAnotherGoal) {
   Start("person", "assembled");
   Give("PREDICATES", Predicates(state_));
   Run(50);
@@ -391,7 +391,7 @@ TEST_F(RobotPlanner, AReportOfTheOtherArmIsRejected) {
   EXPECT_EQ(stepper_->num_rejected().at("ARM_REPORT_LEFT"), 1);
 }
 
-TEST_F(RobotPlanner, SaysThatItLivesAtLeastEachSecond) {
+TEST_F(RobotPlanner, PublishesItsStatusAtLeastEachSecond) {
   int32_t last = 0;
   Start("robot", "assembled");
   for (int i = 0; i < 2000; ++i) {

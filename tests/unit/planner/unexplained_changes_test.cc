@@ -52,7 +52,7 @@ TEST_F(UnexplainedChangesTest, WhatSettlesAfterwardsBelongsToTheAction) {
   EXPECT_THAT(unseen_.TakeOverdue(100 * kSecond), IsEmpty());
 }
 
-TEST_F(UnexplainedChangesTest, TellsOnceWhatNobodyRecognised) {
+TEST_F(UnexplainedChangesTest, ReportsUnrecognisedChangesOnce) {
   unseen_.Update({30, 50 * kSecond, AfterFirstStep()});
   unseen_.Update(Action(2, 4, 6 * kSecond));  // another one
   EXPECT_THAT(unseen_.TakeOverdue(60 * kSecond), IsEmpty());

@@ -80,7 +80,7 @@ TEST(Excuse, SubgoalsAreWhatCanBeDoneMeanwhile) {
   EXPECT_THAT(subgoals, Not(Contains("not broken()")));
 }
 
-TEST(Excuse, AWishForTheGoalComesLast) {
+TEST(Excuse, AssumingTheGoalComesLast) {
   // Nothing produces p0 at all.
   const GroundTask task = TaskOf(
       "(define (domain d) (:predicates (p) (q)) (:action f :effect (q)))",

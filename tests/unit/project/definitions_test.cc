@@ -1,5 +1,5 @@
-// Every type has one definition. Two of the same qualified name in two files
-// are one to the linker, which keeps either's destructor: nobody tells.
+// Every type has one definition. The linker takes two of the same qualified
+// name in two files for one, and keeps either's destructor without a warning.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -73,7 +73,7 @@ void ForEachType(const std::string& source, Visit visit) {
 }
 
 /// "cell::Site: a.h, b.h" for every type that two files define.
-std::vector<std::string> TwinsIn(const Sources& sources) {
+std::vector<std::string> DuplicatesIn(const Sources& sources) {
   std::map<std::string, std::set<std::string>> files_of;
   for (const auto& [file, text] : sources) {
     ForEachType(text, [&, name = file](const std::string& type) {
@@ -93,7 +93,7 @@ std::vector<std::string> TwinsIn(const Sources& sources) {
 TEST(Definitions, AreOneForEachTypeOfTheProgramsAndMessages) {
   const Sources sources = SourcesBelow({"common", "services", "lcmtypes"});
   EXPECT_GT(sources.size(), 300u);
-  EXPECT_THAT(TwinsIn(sources), IsEmpty());
+  EXPECT_THAT(DuplicatesIn(sources), IsEmpty());
 }
 
 TEST(Definitions, OfAServiceAreInItsNamespace) {
@@ -116,7 +116,7 @@ TEST(Definitions, OfAPlantedPairAreFound) {
   sources["planted.cc"] =
       "namespace cell {\nnamespace {\nclass Domain {};\n}  // namespace\n"
       "enum class Agent { kA };\n}  // namespace cell\n";
-  EXPECT_THAT(TwinsIn(sources),
+  EXPECT_THAT(DuplicatesIn(sources),
               ElementsAre(HasSubstr("cell::Agent: common/relational/rule.h "
                                     "planted.cc"),
                           HasSubstr("cell::Site: common/parts/part_table.h "
@@ -125,16 +125,16 @@ TEST(Definitions, OfAPlantedPairAreFound) {
 
 TEST(Definitions, InTwoNamespacesAreTwo) {
   EXPECT_THAT(
-      TwinsIn({{"a.h", "namespace cell { struct A {}; class B; }"},
-               {"b.h", "namespace cell::b { struct A {}; class B {}; }"},
-               {"c.h", "namespace cell { namespace { struct A {}; } }"},
-               {"d.h", "namespace cell { class B { struct A {}; }; }"}}),
+      DuplicatesIn({{"a.h", "namespace cell { struct A {}; class B; }"},
+                    {"b.h", "namespace cell::b { struct A {}; class B {}; }"},
+                    {"c.h", "namespace cell { namespace { struct A {}; } }"},
+                    {"d.h", "namespace cell { class B { struct A {}; }; }"}}),
       IsEmpty());
   EXPECT_THAT(
-      TwinsIn({{"a.h",
-                "namespace cell { template <class T> class A {};"
-                "using B = int; }"},
-               {"b.h", "namespace cell { struct A {}; struct B {}; }"}}),
+      DuplicatesIn({{"a.h",
+                     "namespace cell { template <class T> class A {};"
+                     "using B = int; }"},
+                    {"b.h", "namespace cell { struct A {}; struct B {}; }"}}),
       ElementsAre("cell::A: a.h b.h", "cell::B: a.h b.h"));
 }
 

@@ -274,7 +274,7 @@ TEST_F(WatchingServicesTest, EveryKeyFrameHasItsPredicatesInTheSameOrder) {
   }
 }
 
-TEST_F(WatchingServicesTest, PredicatesAreSensedAnewOnRequest) {
+TEST_F(WatchingServicesTest, PredicatesAreSensedAgainOnRequest) {
   const auto ask = [&] {
     watchers_->Tick(std::pair{"TRUTH_POSES", world_->Truth(now())},
                     std::pair{"SENSE_REQUEST", sense_request_t{}});
@@ -307,7 +307,7 @@ TEST_F(WatchingServicesTest, PredicatesAreSensedAnewOnRequest) {
   EXPECT_TRUE(is_lying);
 }
 
-TEST_F(WatchingServicesTest, ANewEpisodeStartsAfresh) {
+TEST_F(WatchingServicesTest, ANewEpisodeStartsWithoutTheLast) {
   Demonstrate();
   const size_t num_before = watchers_->Sent<key_frame_t>("KEY_FRAME").size();
   world_->stage().StandAt("round_peg_1", 0.4, -0.5);
@@ -343,7 +343,7 @@ TEST_F(WatchingServicesTest, SameInputsGiveTheSameBytes) {
 // Whichever key frame is lost, by all: the next one has all relations. The
 // shaft is placed and taken out again; without the key frame between, that is
 // one unknown manipulation of it.
-TEST_F(WatchingServicesTest, ALostKeyFrameLeavesNoPlacementUntold) {
+TEST_F(WatchingServicesTest, ALostKeyFrameLeavesNoPlacementUnreported) {
   Demonstrate();
   const size_t num_frames = watchers_->Sent<key_frame_t>("KEY_FRAME").size();
   for (size_t lost = 0; lost < num_frames; ++lost) {

@@ -30,13 +30,13 @@ class LearningTest : public testing::Test {
   /// What is recognised.
   std::vector<RecognisedAction> Manipulate(const std::string& part,
                                            const std::function<void()>& move) {
-    See();
+    Observe();
     stage_.Hold("hand_right", part);
-    See();
+    Observe();
     move();
-    See();
+    Observe();
     stage_.LetGo("hand_right", part);
-    return See();
+    return Observe();
   }
   std::vector<RecognisedAction> Seat(const std::string& part,
                                      const std::string& site) {
@@ -46,7 +46,7 @@ class LearningTest : public testing::Test {
   std::vector<ActionRecord> Store() {
     auto records = learning_->TakeChanges(actions_);
     for (const ActionRecord& record : records) {
-      const auto update = actions_.Take(record);
+      const auto update = actions_.Apply(record);
       EXPECT_TRUE(update) << update.reason();
       recognition_.Use(MakeSecLibrary(actions_));
       learning_->OnRecord(record.name, actions_);
@@ -70,7 +70,7 @@ class LearningTest : public testing::Test {
                            {}};
 
  private:
-  std::vector<RecognisedAction> See() {
+  std::vector<RecognisedAction> Observe() {
     return recognition_.Update(stage_.Frame());
   }
 };
@@ -148,7 +148,7 @@ TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
   EXPECT_THAT(learning_->TakeChanges(actions_), SizeIs(2));
 }
 
-TEST_F(LearningTest, ANewLifeGoesOnFromTheRecords) {
+TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   Seat("round_peg_1", "base.round_1");
   Store();
   learning_.emplace(actions_);

@@ -24,22 +24,22 @@ class RecognitionTest : public testing::Test {
  protected:
   using Actions = std::vector<RecognisedAction>;
 
-  Actions See() { return recognition_.Update(stage_.Frame()); }
+  Actions Observe() { return recognition_.Update(stage_.Frame()); }
 
   // Picks the part up, lets `move` put it somewhere, lets go of it; returns
   // what is recognised.
   template <class Move>
   Actions Manipulate(const std::string& part, Move move,
                      const std::string& hand = kRight) {
-    See();
+    Observe();
     stage_.Hold(hand, part);
-    EXPECT_THAT(See(), IsEmpty()) << "at the pick-up of " << part;
+    EXPECT_THAT(Observe(), IsEmpty()) << "at the pick-up of " << part;
     stage_.Lift(part, 0.2);
-    EXPECT_THAT(See(), IsEmpty()) << "in transit";
+    EXPECT_THAT(Observe(), IsEmpty()) << "in transit";
     move();
-    EXPECT_THAT(See(), IsEmpty()) << "not yet let go";
+    EXPECT_THAT(Observe(), IsEmpty()) << "not yet let go";
     stage_.LetGo(hand, part);
-    return See();
+    return Observe();
   }
 
   ShippedTask task_;
@@ -82,7 +82,7 @@ TEST_F(RecognitionTest, NamesAnActionWithItsArguments) {
   EXPECT_EQ(actions[0].place_utime, 2'000'000);
 }
 
-TEST_F(RecognitionTest, TellsTwinPartsAndTwinSitesApart) {
+TEST_F(RecognitionTest, DistinguishesPartsAndSitesThatLookAlike) {
   for (const auto& [part, site] : {std::pair{"square_peg_2", "base.square_1"},
                                    {"square_peg_1", "base.square_2"}}) {
     EXPECT_THAT(
@@ -130,13 +130,13 @@ TEST_F(RecognitionTest, ReadsATakeBackAsTheActionReversed) {
 // Also if it has left its site before the pick-up's key frame is confirmed.
 TEST_F(RecognitionTest, ReadsATakeBackInOneGoAsTheActionReversed) {
   stage_.Seat("shaft", "base.shaft");
-  See();
+  Observe();
   stage_.Lift("shaft", 0.1);
   stage_.Hold(kRight, "shaft");
-  See();
+  Observe();
   stage_.StandAt("shaft", 0, -0.4);
   stage_.LetGo(kRight, "shaft");
-  EXPECT_THAT(Shown(See()),
+  EXPECT_THAT(Shown(Observe()),
               ElementsAre("reversed PlaceRoundPeg shaft base.shaft"));
 }
 
@@ -167,12 +167,12 @@ TEST_F(RecognitionTest, AlmostSeatedIsUnknown) {
 TEST_F(RecognitionTest, ABrushIsNoAction) {
   stage_.Seat("round_peg_1", "base.round_1");
   for (const char* part : {"round_peg_1", "head"}) {
-    See();
+    Observe();
     stage_.Hold(kLeft, part);
-    EXPECT_THAT(See(), IsEmpty());
+    EXPECT_THAT(Observe(), IsEmpty());
     stage_.Lift(part, 0.0005);
     stage_.LetGo(kLeft, part);
-    EXPECT_THAT(See(), IsEmpty()) << part;
+    EXPECT_THAT(Observe(), IsEmpty()) << part;
   }
 }
 
@@ -194,34 +194,34 @@ TEST_F(RecognitionTest, ATurnThatCannotBeSeenIsNoMove) {
 }
 
 TEST_F(RecognitionTest, AHandOverIsOneManipulationByBothHands) {
-  See();
+  Observe();
   stage_.Hold(kRight, "head");
-  See();
+  Observe();
   stage_.Lift("head", 0.3);
   stage_.Hold(kLeft, "head");
-  See();
+  Observe();
   stage_.LetGo(kRight, "head");
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.StandAt("head", 0.3, -0.3);
   stage_.LetGo(kLeft, "head");
-  const auto actions = See();
+  const auto actions = Observe();
   ASSERT_THAT(Shown(actions), ElementsAre("unknown"));
   EXPECT_THAT(actions[0].hands, ElementsAre(kLeft, kRight));
 }
 
 TEST_F(RecognitionTest, TwoHandsWorkAtTheSameTime) {
-  See();
+  Observe();
   stage_.Hold(kRight, "round_peg_1");
-  See();
+  Observe();
   stage_.Hold(kLeft, "square_peg_1");
   stage_.Seat("round_peg_1", "base.round_1");
-  See();
+  Observe();
   stage_.LetGo(kRight, "round_peg_1");
-  EXPECT_THAT(Shown(See()),
+  EXPECT_THAT(Shown(Observe()),
               ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
   stage_.Seat("square_peg_1", "base.square_1");
   stage_.LetGo(kLeft, "square_peg_1");
-  EXPECT_THAT(Shown(See()),
+  EXPECT_THAT(Shown(Observe()),
               ElementsAre("forward PlaceSquarePeg square_peg_1 base.square_1"));
 }
 
@@ -251,20 +251,20 @@ TEST_F(RecognitionTest, APassengerIsNoManipulation) {
   for (const bool passenger_is_let_go_first : {true, false}) {
     const std::string first = passenger_is_let_go_first ? "head" : "pendulum";
     const std::string second = passenger_is_let_go_first ? "pendulum" : "head";
-    See();
+    Observe();
     stage_.Hold(kRight, "pendulum");
     stage_.Hold(kRight, "head");
-    See();
+    Observe();
     stage_.Seat("pendulum", "base.pendulum");
     stage_.Seat("head", "pendulum.head");
     stage_.LetGo(kRight, first);
-    auto actions = See();
+    auto actions = Observe();
     stage_.LetGo(kRight, second);
-    for (const auto& action : See()) actions.push_back(action);
+    for (const auto& action : Observe()) actions.push_back(action);
     EXPECT_THAT(Shown(actions), ElementsAre("forward PlacePendulum pendulum"));
     stage_.StandAt("pendulum", 0, -0.4);
     stage_.Seat("head", "pendulum.head");
-    See();
+    Observe();
   }
 }
 
@@ -272,16 +272,16 @@ TEST_F(RecognitionTest, OfTwoPartsMovedAsOneOnlyOneIsUnknown) {
   for (const bool at_once : {true, false}) {
     stage_.StandAt("pendulum", 0, -0.4);
     stage_.Seat("head", "pendulum.head");
-    See();
+    Observe();
     stage_.Hold(kRight, "pendulum");
-    if (!at_once) See();
+    if (!at_once) Observe();
     stage_.Hold(kRight, "head");
-    See();
+    Observe();
     stage_.StandAt("pendulum", 0.3, -0.5);
     stage_.Seat("head", "pendulum.head");
     stage_.LetGo(kRight, "pendulum");
     stage_.LetGo(kRight, "head");
-    EXPECT_THAT(Shown(See()), ElementsAre("unknown")) << at_once;
+    EXPECT_THAT(Shown(Observe()), ElementsAre("unknown")) << at_once;
   }
 }
 
@@ -289,11 +289,11 @@ TEST_F(RecognitionTest, OfTwoPartsMovedAsOneOnlyOneIsUnknown) {
 TEST_F(RecognitionTest, WhatItJoinsInTheMiddleOfIsCompletedByTheStream) {
   stage_.Hold(kRight, "round_peg_1");
   stage_.Lift("round_peg_1", 0.2);
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.Seat("round_peg_1", "base.round_1");
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.LetGo(kRight, "round_peg_1");
-  EXPECT_THAT(Shown(See()),
+  EXPECT_THAT(Shown(Observe()),
               ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
 }
 
@@ -302,29 +302,29 @@ TEST_F(RecognitionTest, WhatItDidNotSeeBeginIsNotGivenAName) {
   stage_.Lift("round_peg_1", 0.2);
   stage_.Hold(kLeft, "head");  // in its place already
   stage_.Seat("head", "pendulum.head");
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.LetGo(kLeft, "head");
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.StandAt("round_peg_1", 0.3, -0.3);
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   stage_.LetGo(kRight, "round_peg_1");
-  EXPECT_THAT(Shown(See()), ElementsAre("unknown"));
+  EXPECT_THAT(Shown(Observe()), ElementsAre("unknown"));
 }
 
 TEST_F(RecognitionTest, OneHandPlacesWhileTheOtherTakesBack) {
   stage_.Seat("pendulum", "base.pendulum");
-  See();
+  Observe();
   stage_.Hold(kRight, "round_peg_1");
-  See();
+  Observe();
   stage_.Hold(kLeft, "pendulum");
   stage_.Lift("round_peg_1", 0.2);
-  See();
+  Observe();
   stage_.StandAt("pendulum", 0, -0.4);
   stage_.Seat("round_peg_1", "base.round_1");
-  See();
+  Observe();
   stage_.LetGo(kRight, "round_peg_1");
   stage_.LetGo(kLeft, "pendulum");
-  const auto actions = See();
+  const auto actions = Observe();
   EXPECT_THAT(Shown(actions),
               testing::UnorderedElementsAre(
                   "forward PlaceRoundPeg round_peg_1 base.round_1",
@@ -347,9 +347,9 @@ TEST_F(RecognitionTest, IsSureOfWhatAgreesAloneAndOfWhatAgreesWithNothing) {
 
 TEST_F(RecognitionTest, HypothesesArePrunedAtThePickUp) {
   stage_.Seat("round_peg_1", "base.round_1");
-  See();
+  Observe();
   stage_.Hold(kRight, "round_peg_1");
-  See();
+  Observe();
   const Manipulation& held = recognition_.manipulations().at("round_peg_1");
   std::vector<std::string> alive;
   for (const auto& hypothesis : held.hypotheses()) {
@@ -416,23 +416,23 @@ TEST_F(RecognitionTest, TakesTheBestOfAnyLibraryAboveItsThreshold) {
 }
 
 TEST_F(RecognitionTest, WhatIsInAHandKeepsTheModelsOfItsPickUp) {
-  See();
+  Observe();
   stage_.Hold(kRight, "round_peg_1");
-  See();
+  Observe();
   recognition_.Use(std::make_shared<const CountingLibrary>());
   stage_.Seat("round_peg_1", "base.round_1");
   stage_.LetGo(kRight, "round_peg_1");
-  EXPECT_THAT(Shown(See()),
+  EXPECT_THAT(Shown(Observe()),
               ElementsAre("forward PlaceRoundPeg round_peg_1 base.round_1"));
 }
 
-TEST_F(RecognitionTest, APartThatIsGoneWhenItIsLetGoIsNotInvented) {
-  See();
+TEST_F(RecognitionTest, APartThatIsGoneWhenItIsLetGoIsNotReported) {
+  Observe();
   stage_.Hold(kRight, "head");
-  See();
+  Observe();
   stage_.Remove("head");
   stage_.LetGo(kRight, "head");
-  EXPECT_THAT(See(), IsEmpty());
+  EXPECT_THAT(Observe(), IsEmpty());
   EXPECT_THAT(recognition_.manipulations(), IsEmpty());
 }
 

@@ -296,11 +296,11 @@ TEST_F(ContactOnArm, FollowsTheMotionWithItsJoints) {
   EXPECT_NEAR(peak_force_, 0, 1e-6);
 }
 
-TEST_F(ContactOnArm, AnInsertionTellsItsPeakForceAndFailsAboveItsLimit) {
+TEST_F(ContactOnArm, AnInsertionReportsItsPeakForceAndFailsAboveItsLimit) {
   ExpectForceLimit(InsertionMaker({}));
 }
 
-TEST_F(ContactOnArm, ScrewingTellsItsPeakForceAndFailsAboveItsLimit) {
+TEST_F(ContactOnArm, ScrewingReportsItsPeakForceAndFailsAboveItsLimit) {
   ExpectForceLimit(ScrewingMaker({}, kPitch));
 }
 

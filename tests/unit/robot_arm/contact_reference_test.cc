@@ -106,7 +106,7 @@ TEST(SeatedTermination, IsDoneNearTheSeatAndSomewhatDeeper) {
             Termination::Outcome::kStuck);
 }
 
-TEST(SeatedTermination, TellsHowFarFromItsSeatItIsStuck) {
+TEST(SeatedTermination, ReportsHowFarFromItsSeatItIsStuck) {
   EXPECT_EQ(SeatedTermination({}).Judge(Stalled(0.0123)).reason,
             "it is stuck 12.3 mm from its seat, 0.8 mm allowed "
             "(seat.tolerance_mm), by 5.0 N at the wrist sensor");

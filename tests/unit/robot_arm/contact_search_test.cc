@@ -1,5 +1,4 @@
-// How a part that is pushed and does not advance is known, and looks for the
-// way in.
+// How a stalled part is detected, and how it searches for the way in.
 #include <gmock/gmock.h>
 
 #include <cmath>

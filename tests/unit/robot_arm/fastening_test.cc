@@ -1,5 +1,5 @@
-// Which parts are held by the site that they are at: who grips such a part lets
-// go of it and does not carry it off.
+// Which parts are held by the site that they are at: an arm that grips such a
+// part releases it and does not carry it away.
 #include "services/robot_arm/fastening.h"
 
 #include <gmock/gmock.h>
@@ -87,8 +87,8 @@ TEST_F(FasteningTest, ThereIsNoSiteWithoutTheTracksOfPartAndHost) {
   EXPECT_EQ(FindHoldingSite("nothing", task_.parts, poses), nullptr);
 }
 
-/// The right arm's service begins a life with its fingers closed on the head,
-/// which is at `X_SO` of its site.
+/// The right arm's service starts with its fingers closed on the head, which is
+/// at `X_SO` of its site.
 class ArmThatHoldsTheHead : public FasteningTest {
  protected:
   void BeginAt(const Isometry3d& X_SO) {

@@ -60,7 +60,7 @@ TEST(MotionClient, ALostRequestIsAskedAgainAndGivenUpAtLastWithAReason) {
   EXPECT_THAT(inquiry.reason(), HasSubstr("the motion planner has not"));
 }
 
-TEST(MotionClient, NobodyWaitsForWhatWasGivenUp) {
+TEST(MotionClient, AnAbandonedRequestIsNotAwaited) {
   MotionClient client;
   auto inquiry = std::make_unique<MotionInquiry>(client, MotionRequest{});
   const auto requests = client.TakeRequests();
@@ -104,12 +104,12 @@ class ReachingParts : public testing::Test {
  protected:
   ReachingParts() {
     for (const char* part : {"shaft", "head"}) Put(part, 0.1);
-    See();
+    Observe();
   }
   void Put(const std::string& part, double y) {
     cell_.poses[part] = cell_.Standing(part, part == "head" ? 0.3 : 0, -y);
   }
-  void See() {
+  void Observe() {
     monitor_.SetParts(cell_.poses);
     parts_.Update(cell_.poses);
   }
@@ -141,17 +141,17 @@ TEST_F(ReachingParts, AreAskedAboutTogetherAndOnce) {
   EXPECT_THAT(Asked(), IsEmpty());
   Answer({"shaft"});
   EXPECT_THAT(parts_.List(), ElementsAre("shaft"));
-  See();
+  Observe();
   EXPECT_THAT(Asked(), IsEmpty());
 }
 
-TEST_F(ReachingParts, AreAskedAboutAnewWhereTheyComeToRest) {
+TEST_F(ReachingParts, AreAskedAboutAgainWhereTheyComeToRest) {
   Asked();
   Answer({"shaft"});
   Put("shaft", 0.2);
-  See();
+  Observe();
   EXPECT_THAT(Asked(), IsEmpty());  // it moves
-  See();
+  Observe();
   EXPECT_THAT(Asked(), ElementsAre("shaft"));
   EXPECT_THAT(parts_.List(), ElementsAre("shaft"));
   Answer({});

@@ -106,7 +106,7 @@ TEST_F(RobotArmBesideAnotherModel, EachArmsStateIsHeldAgainstItsOwnLimits) {
   EXPECT_EQ(stepper_.num_rejected().size(), 1u);
 }
 
-TEST_F(RobotArmBesideAnotherModel, JointsOfAnotherNumberAreToldOfOnce) {
+TEST_F(RobotArmBesideAnotherModel, JointsOfAnotherNumberAreReportedOnce) {
   arm_state_t state = StateOf("left", 0);
   state.position.push_back(0);
   state.velocity.push_back(0);

@@ -1,4 +1,4 @@
-// What an arm sees around it, in the shipped cell.
+// What an arm knows of its surroundings, in the shipped cell.
 #include "services/robot_arm/scene_monitor.h"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,8 @@ class SceneMonitoring : public testing::Test {
     monitor_.SetParts(cell_.poses);
   }
   GraspChoice Grasp(const std::string& arm) const {
-    const MotionPlan plan = cell_.search.Find(cell_.Take("round_peg_1", arm));
+    const MotionPlan plan =
+        cell_.search.Find(cell_.TakeRequest("round_peg_1", arm));
     EXPECT_TRUE(plan) << plan.reason;
     return plan.grasp;
   }
@@ -75,7 +76,8 @@ TEST_F(SceneMonitoring, PeoplesHandsAtWorkAreInTheWay) {
 
 TEST_F(SceneMonitoring, AtAGraspSomethingIsNear) {
   EXPECT_FALSE(monitor_.IsNearSomething(arm_.home));
-  const MotionPlan plan = cell_.search.Find(cell_.Take("round_peg_1", "right"));
+  const MotionPlan plan =
+      cell_.search.Find(cell_.TakeRequest("round_peg_1", "right"));
   const Joints q_grasp =
       TrackPose(arm_, cell_.poses.at("round_peg_1") * plan.grasp.X_OG,
                 plan.grasp.q_approach)

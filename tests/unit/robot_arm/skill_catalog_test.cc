@@ -1,4 +1,4 @@
-// Which skills an arm has, and what it says of a request for another.
+// Which skills an arm has, and why it refuses other requests.
 #include "services/robot_arm/skills/skill_catalog.h"
 
 #include <gmock/gmock.h>

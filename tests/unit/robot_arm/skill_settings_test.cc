@@ -1,4 +1,4 @@
-// How skills.yaml is read: what it may leave out, and what it is told is wrong.
+// How skills.yaml is read: optional keys, and what is refused.
 #include "services/robot_arm/skill_settings.h"
 
 #include <gmock/gmock.h>

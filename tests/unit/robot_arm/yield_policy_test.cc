@@ -19,7 +19,7 @@ int TicksUntil(Advice advice, bool is_blocked, YieldPolicy& right) {
   return -1;
 }
 
-TEST(YieldPolicy, WhoIsNotBlockedGoes) {
+TEST(YieldPolicy, AnArmThatIsNotBlockedGoes) {
   YieldPolicy right(false);
   EXPECT_EQ(TicksUntil(Advice::kWait, false, right), -1);
 }
@@ -32,7 +32,7 @@ TEST(YieldPolicy, OneOfTwoGoesOnFirst) {
             TicksUntil(Advice::kGo, false, second) / 4);
 }
 
-TEST(YieldPolicy, WhoIsBlockedForLongGoesAroundThenGivesUp) {
+TEST(YieldPolicy, AnArmBlockedForLongGoesAroundThenGivesUp) {
   YieldPolicy right(true);
   const int around = TicksUntil(Advice::kGoAround, true, right);
   EXPECT_GT(around, 0);
@@ -45,7 +45,7 @@ TEST(YieldPolicy, OneOfTwoGivesUpSooner) {
             TicksUntil(Advice::kGiveUp, true, first) / 3);
 }
 
-TEST(YieldPolicy, WhoHasGoneFreelyForgetsItsWaiting) {
+TEST(YieldPolicy, AnArmThatHasGoneFreelyForgetsItsWaiting) {
   YieldPolicy right(true);
   const int first = TicksUntil(Advice::kGoAround, true, right);
   for (int i = 0; i < 250; ++i) right.Step(false, kTick);

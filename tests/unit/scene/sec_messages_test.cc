@@ -160,7 +160,7 @@ TEST_F(SecMessagesTest, ForgedTracksAreRefused) {
   }
 }
 
-TEST(SceneObjects, RefusesTwinNames) {
+TEST(SceneObjects, RefusesDuplicateNames) {
   EXPECT_THROW(SceneObjects(PartTable(), {"table"}), std::invalid_argument);
   EXPECT_THROW(SceneObjects(PartTable(), {"a", "a"}), std::invalid_argument);
 }

@@ -186,7 +186,7 @@ TEST_F(SecLearnerTest, TheOrderOfTheShowingsDoesNotMatter) {
 }
 
 /// Whatever else has been shown: without it, the models are those of a learner
-/// who has never seen it.
+/// that has never seen it.
 TEST_F(SecLearnerTest, ADemonstrationThatIsTakenBackHasTaughtNothing) {
   const auto seat = [this](const char* part, const char* site,
                            const char* name) {

@@ -12,7 +12,7 @@
 
 namespace cell {
 
-/// Shows manipulations of the shipped task to an observer, who knows nothing.
+/// Shows manipulations of the shipped task to an observer without a library.
 class Demonstration {
  public:
   explicit Demonstration(recognizer::Recognition::Observer observer,

@@ -22,7 +22,7 @@ std::vector<PairFilter::Change> Changes(const std::vector<double>& distances,
   std::vector<PairFilter::Change> changes;
   for (size_t i = 0; i < distances.size(); ++i) {
     const int64_t utime = start + kFramePeriod * static_cast<int64_t>(i);
-    if (const auto change = filter.See(utime, {distances[i] * 1e-3})) {
+    if (const auto change = filter.Update(utime, {distances[i] * 1e-3})) {
       changes.push_back(*change);
     }
   }
@@ -44,12 +44,12 @@ TEST(PairFilter, AReleaseIsDatedBackToTheFirstCrossingIfThatWasNotLongAgo) {
     filter.Start({0.001});
     int64_t utime = 0;
     for (int i = 0; i < num_between; ++i) {
-      EXPECT_FALSE(filter.See(utime += kFramePeriod, {0.007}));
+      EXPECT_FALSE(filter.Update(utime += kFramePeriod, {0.007}));
       const bool may_come = kFramePeriod * i < backdate_us;
       EXPECT_EQ(filter.pending_since(utime).has_value(), may_come) << i;
     }
-    filter.See(utime += kFramePeriod, {0.011});
-    return filter.See(utime += kFramePeriod, {0.012})->onset / kFramePeriod;
+    filter.Update(utime += kFramePeriod, {0.011});
+    return filter.Update(utime += kFramePeriod, {0.012})->onset / kFramePeriod;
   };
   EXPECT_EQ(onset_of_release(3, 0), 4);
   EXPECT_EQ(onset_of_release(3, 3 * kFramePeriod), 1);
@@ -100,8 +100,8 @@ TEST(PairFilter, EveryChangeChangesSomething) {
   Relation relation = filter.relation();
   for (int i = 0; i < 5000; ++i) {
     const auto change =
-        filter.See(kFramePeriod * i,
-                   {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
+        filter.Update(kFramePeriod * i,
+                      {std::abs(unit(random)) * 0.015, unit(random) * 0.01});
     if (!change) continue;
     EXPECT_NE(change->relation, relation);
     relation = change->relation;
@@ -142,21 +142,21 @@ TEST(PairFilter, ContainmentHasItsOwnHysteresis) {
   PairFilter filter({.confirm_frames = 1});
   filter.Start({0, -0.02});
   EXPECT_EQ(filter.relation(), Relation::kTouching);
-  EXPECT_FALSE(filter.See(0, {0, -0.001}));
-  EXPECT_EQ(filter.See(1, {0, 0.001})->relation, Relation::kOverlapping);
-  EXPECT_FALSE(filter.See(2, {0, -0.005}));
-  EXPECT_EQ(filter.See(3, {0, -0.007})->relation, Relation::kTouching);
+  EXPECT_FALSE(filter.Update(0, {0, -0.001}));
+  EXPECT_EQ(filter.Update(1, {0, 0.001})->relation, Relation::kOverlapping);
+  EXPECT_FALSE(filter.Update(2, {0, -0.005}));
+  EXPECT_EQ(filter.Update(3, {0, -0.007})->relation, Relation::kTouching);
 }
 
 TEST(PairFilter, WhatIsHiddenHoldsAndDoesNotConfirm) {
   PairFilter filter({.confirm_frames = 2});
   filter.Start({0});
-  filter.See(0, {0.02});
+  filter.Update(0, {0.02});
   filter.Hide();
   EXPECT_FALSE(filter.pending_since(0));
-  EXPECT_FALSE(filter.See(2, {0.02}));
+  EXPECT_FALSE(filter.Update(2, {0.02}));
   EXPECT_EQ(filter.relation(), Relation::kTouching);
-  EXPECT_EQ(filter.See(3, {0.02})->onset, 2);
+  EXPECT_EQ(filter.Update(3, {0.02})->onset, 2);
 }
 
 TEST(PairFilter, WhatIsLostIsAbsentAtOnceAndOnce) {
@@ -164,8 +164,8 @@ TEST(PairFilter, WhatIsLostIsAbsentAtOnceAndOnce) {
   filter.Start({0});
   EXPECT_EQ(filter.Lose(7)->relation, Relation::kAbsent);
   EXPECT_FALSE(filter.Lose(8));
-  EXPECT_FALSE(filter.See(9, {0.02}));
-  EXPECT_EQ(filter.See(10, {0.02})->relation, Relation::kNotTouching);
+  EXPECT_FALSE(filter.Update(9, {0.02}));
+  EXPECT_EQ(filter.Update(10, {0.02})->relation, Relation::kNotTouching);
 }
 
 }  // namespace

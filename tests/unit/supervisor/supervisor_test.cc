@@ -53,7 +53,8 @@ StopPolicy Table(const std::string& text) {
   return table;
 }
 
-/// A supervisor on a bus, in a cell in which everybody lives until told not to.
+/// A supervisor on a bus, in a cell whose services are alive unless a test says
+/// otherwise.
 class Supervised : public testing::Test {
  protected:
   Supervised() {
@@ -158,7 +159,7 @@ TEST_F(Supervised, GivesAPermitOfFortyMillisecondsEveryTick) {
   EXPECT_THAT(alerts_, IsEmpty());
 }
 
-TEST_F(Supervised, ANewLifeLetsNothingMoveBeforeItKnowsWhetherAnArmHasStopped) {
+TEST_F(Supervised, ARestartPermitsNothingBeforeEveryArmHasReported) {
   has_device_ = false;
   Episode(episode_t::RUNNING, "robot");
   Tick(3);
@@ -171,7 +172,7 @@ TEST_F(Supervised, ANewLifeLetsNothingMoveBeforeItKnowsWhetherAnArmHasStopped) {
   EXPECT_FALSE(permit().is_held_by_operator);
 }
 
-TEST_F(Supervised, ANewLifeKeepsTheOperatorsHold) {
+TEST_F(Supervised, ARestartKeepsTheOperatorsHold) {
   has_device_ = false;
   Episode(episode_t::RUNNING, "robot");
   ArmServo(arm_state_t::FOLLOWING);
@@ -182,7 +183,7 @@ TEST_F(Supervised, ANewLifeKeepsTheOperatorsHold) {
   Tick();
   EXPECT_EQ(permit().hold, motion_permit_t::AT_ONCE);
   EXPECT_TRUE(permit().is_held_by_operator);
-  // What the arm says later is only an echo.
+  // The arm's later reports only repeat the resumed hold.
   Command(command_mode_t::RESUME);
   Report(true);
   Tick();
@@ -255,7 +256,7 @@ TEST_F(Supervised, HoldsAtOnceWhileAnArmIsSilent) {
   EXPECT_LE(permit().until_utime, now());
 }
 
-TEST_F(Supervised, OnlySaysThatWhatIsNotNeededIsSilent) {
+TEST_F(Supervised, OnlyReportsTheSilenceOfServicesThatAreNotNeeded) {
   Episode(episode_t::START, "robot");
   Tick(100);
   dead_ = "diary";
@@ -265,8 +266,8 @@ TEST_F(Supervised, OnlySaysThatWhatIsNotNeededIsSilent) {
   EXPECT_EQ(permit().mode, motion_permit_t::EXECUTE);
 }
 
-TEST_F(Supervised, NobodyIsDeadAfterItsOwnStartUntilTheTimeIsOver) {
-  tick_ = 10'000;  // a new life
+TEST_F(Supervised, NoServiceIsDeadRightAfterTheSupervisorsStart) {
+  tick_ = 10'000;  // a restart
   dead_ = "eyes";
   Tick(150);
   EXPECT_THAT(alerts_, IsEmpty());
@@ -298,7 +299,7 @@ TEST_F(Supervised, AnOperatorsHoldLastsUntilItIsResumed) {
   EXPECT_EQ(permit().until_utime, now() + 40'000);
 }
 
-TEST_F(Supervised, ResumingDoesNotWakeTheDead) {
+TEST_F(Supervised, ResumingDoesNotEndTheHoldForADeadService) {
   Episode(episode_t::START, "robot");
   dead_ = "mind";
   Tick(200);

@@ -1,4 +1,4 @@
-// What somebody probably meant, and how many there are.
+// The nearest known name for a mistyped one, and counted nouns.
 #include "common/text/nearest.h"
 
 #include <gtest/gtest.h>

@@ -96,7 +96,7 @@ TEST_F(IdealTrackerTest, AHandIsPointsOnTheSurfacesOfItsBodies) {
   EXPECT_TRUE(hand->X_WO.linear().isIdentity());
 }
 
-TEST_F(IdealTrackerTest, WhoIsNotThereHasNoTrack) {
+TEST_F(IdealTrackerTest, WhatIsNotInTheTruthHasNoTrack) {
   TruthPoses truth = Truth();
   truth.poses.erase("head");
   truth.poses.erase("hand_right.thumb");
@@ -106,7 +106,7 @@ TEST_F(IdealTrackerTest, WhoIsNotThereHasNoTrack) {
   EXPECT_EQ(tracks.Find("hand_left"), nullptr);
 }
 
-TEST_F(IdealTrackerTest, BodiesThatNobodyKnowsAreNoTracks) {
+TEST_F(IdealTrackerTest, UnknownBodiesHaveNoTracks) {
   TruthPoses truth = Truth();
   const size_t num_tracks = tracker_.Update(truth).tracks.size();
   truth.poses["pedestal"] = truth.poses["table"] =

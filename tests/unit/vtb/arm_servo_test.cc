@@ -75,7 +75,7 @@ TEST(ArmServo, StandsByItselfWhenSetPointsStopComing) {
   EXPECT_LT(servo.velocity().cwiseAbs().maxCoeff(), 1e-3);
 }
 
-TEST(ArmServo, StopsForExcessForceUntilSomebodyClearsIt) {
+TEST(ArmServo, StopsForExcessForceUntilItIsCleared) {
   ArmServo::Params params;
   ArmServo servo(params, kSpeed, Joints::Zero());
   servo.Command(Joints::Constant(0.1), false);
