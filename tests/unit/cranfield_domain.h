@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/relational/domain.h"
+#include "common/task/reference_rules.h"
 #include "common/task/task.h"
 #include "services/planner/plan_search.h"
 
@@ -17,13 +18,16 @@ namespace cell {
 
 using namespace planner;
 
-/// The shipped task, and how a person changes its state.
+/// The shipped task with the rules of its author, and how a person changes its
+/// state.
 struct Cranfield {
   Cranfield() {
     const std::filesystem::path source = CELL_SOURCE_DIR;
-    domain = std::make_unique<Domain>(
-        LoadTask({source / "deploy/config", source / "deploy/tasks/cranfield"})
-            .domain);
+    const Deployment deployment{source / "deploy/config",
+                                source / "deploy/tasks/cranfield"};
+    domain = std::make_unique<Domain>(WithReferenceRules(
+        LoadTask(deployment, LearnedRules::kLeaveOut).domain,
+        Config::Load(source / "tests/data/cranfield/reference_rules.yaml")));
     rules = RuleSet::FromDomain(*domain);
   }
 
