@@ -34,6 +34,7 @@ class RuleParser {
     if (stage_ != Stage::kEffects) {
       in.Fail("expected References:, Preconditions:, or Effects:");
     }
+    if (in.TakeIf("each")) return ReadEach(in);
     ReadOutcome(in);
   }
 
@@ -55,6 +56,7 @@ class RuleParser {
     place_ = in.place();
     stage_ = Stage::kBegin;
     has_noise_ = false;
+    is_after_outcome_ = false;
     const std::string name = in.Word("the name of an action");
     const auto action = symbols().Find(name);
     if (!action || symbols()[*action].kind != Symbol::Kind::kAction) {
@@ -121,6 +123,7 @@ class RuleParser {
   void ReadOutcome(TokenReader& in) {
     const double probability = ReadProbability(in);
     in.Expect(":");
+    is_after_outcome_ = in.Peek() != "noise";
     if (in.TakeIf("noise")) {
       if (has_noise_) in.Fail("this rule has two noise outcomes");
       has_noise_ = true;
@@ -132,6 +135,21 @@ class RuleParser {
           {probability, ReadList(ListKind::kChanges, in)});
     }
     ExpectEnd(in);
+  }
+
+  /// "each P: not clear(P) if on(P, X)", of the outcome before it
+  void ReadEach(TokenReader& in) {
+    if (!is_after_outcome_) in.Fail("'each' follows an effect, not the noise");
+    QuantifiedChange each;
+    each.variable = NewVariable(in);
+    in.Expect(":");
+    // The variable is known to the literals of this line only.
+    rule_->references.push_back({each.variable, {}});
+    each.change = ReadLiteral(ListKind::kChanges, in);
+    if (in.TakeIf("if")) each.where = ReadList(ListKind::kConditions, in);
+    rule_->references.pop_back();
+    ExpectEnd(in);
+    rule_->outcomes.back().each.push_back(std::move(each));
   }
 
   static double ReadProbability(TokenReader& in) {
@@ -297,6 +315,7 @@ class RuleParser {
   Place place_;  // of the rule
   Stage stage_ = Stage::kBegin;
   bool has_noise_ = false;
+  bool is_after_outcome_ = false;
 };
 
 std::vector<TextLine>::const_iterator FirstRuleIn(

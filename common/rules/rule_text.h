@@ -19,6 +19,7 @@ std::string ToText(const Literal& literal, const Rule& rule,
 ///   Preconditions: block(X), height(X) <= 3
 ///   Effects:
 ///     0.75: inhand(X), not on(X, Y)
+///       each P: not clear(P) if on(P, X), not heavy(P)
 ///     0.05: nothing
 ///     0.2: noise
 ///
