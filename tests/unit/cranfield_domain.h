@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <random>
@@ -13,6 +12,8 @@
 #include "common/task/reference_rules.h"
 #include "common/task/task.h"
 #include "services/planner/plan_search.h"
+#include "services/planner/planner.h"
+#include "services/planner/planner_config.h"
 
 namespace cell {
 
@@ -22,15 +23,18 @@ using namespace planner;
 /// state.
 struct Cranfield {
   Cranfield() {
-    const std::filesystem::path source = CELL_SOURCE_DIR;
-    const Deployment deployment{source / "deploy/config",
-                                source / "deploy/tasks/cranfield"};
     domain = std::make_unique<Domain>(WithReferenceRules(
         LoadTask(deployment, LearnedRules::kLeaveOut).domain,
-        Config::Load(source / "tests/data/cranfield/reference_rules.yaml")));
+        Config::Load(CELL_SOURCE_DIR
+                     "/tests/data/cranfield/reference_rules.yaml")));
     rules = RuleSet::FromDomain(*domain);
   }
 
+  /// The service that plans with these rules.
+  std::unique_ptr<Service> MakePlannerOfRules(Bus& bus) const {
+    return std::make_unique<Planner>(bus, *domain,
+                                     LoadDecisionMaker(*domain, deployment));
+  }
   Problem ProblemOf(Agent agent) const {
     return {rules, *domain->FindGoal("assembled"), agent};
   }
@@ -119,6 +123,8 @@ struct Cranfield {
     return order;
   }
 
+  const Deployment deployment{CELL_SOURCE_DIR "/deploy/config",
+                              CELL_SOURCE_DIR "/deploy/tasks/cranfield"};
   std::unique_ptr<Domain> domain;
   std::shared_ptr<const RuleSet> rules;
 };
