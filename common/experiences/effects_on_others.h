@@ -13,13 +13,8 @@ namespace cell {
 /// atom becomes true, or false.
 ///
 /// An outcome explains an experience if the rule covers it and the atoms of the
-/// arguments change as the outcome says. Each object whose atom has the other
-/// truth before such an experience is an example: positive if the atom has
-/// changed after it. Conjunctions of literals are found by sequential covering
-/// (FOIL, Quinlan 1990): the literal that tells positive from negative ones
-/// best is added until no negative one is left, then those that are not needed
-/// are removed; until all positive ones are covered. One that too few
-/// experiences support is left out.
+/// arguments change as the outcome says. These experiences are what
+/// ConditionSearch finds the conditions in.
 /// @param rule  with changes of its arguments only
 /// @param experiences  with all their changes; those of other actions are
 /// ignored

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double kOutsideBy = 0.12;    // [m] beyond the workspace
 constexpr double kLayTilt = 1.05;      // [rad] it falls over from here
 constexpr double kCorrectAfter = 2.0;  // [s] that a mistake stays
-constexpr int kAttemptsInARow = 3;
+constexpr int kAttemptsInARow = 5;
 
 double SegmentDistance(const Vector2d& a, const Vector2d& b, const Vector2d& c,
                        const Vector2d& d) {

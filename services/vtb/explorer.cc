@@ -9,6 +9,9 @@
 namespace cell::vtb {
 namespace {
 
+/// How often the latest part is taken back before the last attempt.
+constexpr double kTakeBackEarly = 0.3;
+
 bool IsAtSite(const Attempt& attempt, const World& world) {
   return IsMeantFor(attempt.part, attempt.site, world) &&
          IsSeated(PoseOfSite(attempt.site, world).inverse() *
@@ -40,7 +43,7 @@ std::optional<FailedAttempt> Explorer::TakeFailure() {
 
 std::optional<Attempt> Explorer::ToTakeBack(std::mt19937_64& random) const {
   if (seated_.empty()) return std::nullopt;
-  if (num_left_ > 0 && std::bernoulli_distribution(0.5)(random)) {
+  if (num_left_ > 0 && !std::bernoulli_distribution(kTakeBackEarly)(random)) {
     return std::nullopt;
   }
   return seated_.back();
