@@ -118,8 +118,10 @@ void Demonstrator::PlanEvents() {
   for (int i = Draw(script_->unknown_moves, random_); i > 0; --i) {
     plan(EventKind::kUnknownMove, 0, std::max(0, count - 2));
   }
-  for (int i = Draw(script_->attempts, random_); i > 0; --i) {
-    plan(EventKind::kTryOut, 0, std::max(0, count - 1));
+  if (script_->attempts.high > 0) {
+    for (int i = Draw(script_->attempts, random_); i > 0; --i) {
+      plan(EventKind::kTryOut, 0, std::max(0, count - 1));
+    }
   }
   if (script_->too_early) plan(EventKind::kTooEarly, 0, count / 2);
   if (!script_->lay_outside.empty()) {
