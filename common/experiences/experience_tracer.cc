@@ -28,7 +28,12 @@ void ExperienceTracer::Moved(int64_t pick_key_frame, int64_t place_key_frame) {
 
 void ExperienceTracer::Failed(const GroundAction& action, int64_t begin_utime,
                               int64_t end_utime) {
-  failures_.push_back({action, begin_utime, end_utime});
+  failures_.push_back({action, begin_utime, end_utime, true});
+}
+
+void ExperienceTracer::Attempted(const GroundAction& action,
+                                 int64_t begin_utime, int64_t end_utime) {
+  failures_.push_back({action, begin_utime, end_utime, false});
 }
 
 std::vector<rules::Experience> ExperienceTracer::Experiences() const {
@@ -75,7 +80,12 @@ std::optional<rules::Experience> ExperienceTracer::Of(
   const Sensing* after = nullptr;
   for (const Sensing& sensing : sensings_) {
     if (sensing.utime <= failure.begin_utime) before = &sensing;
-    if (sensing.utime >= failure.end_utime && after == nullptr) {
+    if (!failure.is_sensed_afterwards) {
+      if (sensing.utime > failure.begin_utime &&
+          sensing.utime <= failure.end_utime) {
+        after = &sensing;
+      }
+    } else if (sensing.utime >= failure.end_utime && after == nullptr) {
       after = &sensing;
     }
   }

@@ -35,6 +35,11 @@ class ExperienceTracer {
   void Failed(const GroundAction& action, int64_t begin_utime,
               int64_t end_utime);
 
+  /// An action that a person tried in vain from `begin_utime` to `end_utime`
+  /// [us]: the state after it is the last one that was sensed by then.
+  void Attempted(const GroundAction& action, int64_t begin_utime,
+                 int64_t end_utime);
+
   /// In the order of the ends of the actions; failed ones last.
   std::vector<rules::Experience> Experiences() const;
 
@@ -54,6 +59,7 @@ class ExperienceTracer {
     GroundAction action;
     int64_t begin_utime;
     int64_t end_utime;
+    bool is_sensed_afterwards;
   };
 
   bool IsAlone(const Manipulation& manipulation) const;

@@ -18,7 +18,10 @@ namespace {
 class Translator {
  public:
   Translator(const rules::Rule& rule, const RuleWorld& world)
-      : rule_(rule), world_(world), types_(world.vocabulary().types()) {
+      : rule_(rule),
+        scope_(rule),
+        world_(world),
+        types_(world.vocabulary().types()) {
     const Action& action =
         world.actions()[static_cast<size_t>(world.ActionOf(rule.action))];
     variables_ = action.arguments;
@@ -51,7 +54,12 @@ class Translator {
     return literals;
   }
 
+  /// Of contradicting effects the later one counts: that of a literal.
   Outcome ToOutcome(const rules::Outcome& outcome) {
+    Outcome result{outcome.probability, {}};
+    for (const rules::QuantifiedChange& each : outcome.each) {
+      result.effects.push_back(ToEffect(each));
+    }
     Effect effect;
     for (const rules::Literal& change : outcome.changes) {
       if (!CheckKind(change)) break;
@@ -63,7 +71,8 @@ class Translator {
         Refuse(change, "changes a static fact");
       }
     }
-    return {outcome.probability, {std::move(effect)}};
+    result.effects.push_back(std::move(effect));
+    return result;
   }
 
   const std::optional<std::string>& refusal() const { return refusal_; }
@@ -71,10 +80,25 @@ class Translator {
  private:
   enum class Match { kNever, kSometimes, kAlways };
 
+  /// The quantified variable has a type for as long as the effect is read.
+  Effect ToEffect(const rules::QuantifiedChange& each) {
+    const int index = static_cast<int>(variables_.size());
+    variables_.push_back({each.variable, TypeHierarchy::kObject});
+    scope_ = rule_.WithVariable(each.variable);
+    NarrowByTerms(each.change, index);
+    for (const rules::Literal& literal : each.where) Narrow(literal, index);
+    Effect effect{{variables_.back()}, Conditions(each.where), {}};
+    const Outcome change = ToOutcome({0, {each.change}});
+    effect.then = change.effects.front().then;
+    variables_.pop_back();
+    scope_ = rule_;
+    return effect;
+  }
+
   void Refuse(const rules::Literal& literal, const std::string& why) {
     if (refusal_) return;
     refusal_ = fmt::format(
-        "'{}' {}", rules::ToText(literal, rule_, world_.world()->symbols()),
+        "'{}' {}", rules::ToText(literal, scope_, world_.world()->symbols()),
         why);
   }
 
@@ -105,6 +129,10 @@ class Translator {
         literal.comparison != rules::Comparison::kTrue) {
       return;
     }
+    NarrowByTerms(literal, variable);
+  }
+
+  void NarrowByTerms(const rules::Literal& literal, int variable) {
     int& type = variables_[static_cast<size_t>(variable)].type;
     const auto narrow = [&](int other) {
       if (types_.IsA(other, type)) type = other;
@@ -168,6 +196,7 @@ class Translator {
   }
 
   const rules::Rule& rule_;
+  rules::Rule scope_;  // whose variables literals name
   const RuleWorld& world_;
   const TypeHierarchy& types_;
   std::vector<Variable> variables_;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "common/experiences/effects_on_others.h"
+#include "common/experiences/literal_space.h"
 #include "common/rules/learning/learner.h"
 
 namespace cell {
@@ -17,40 +19,9 @@ using rules::Experience;
 /// hold before each of so many successes by accident.
 constexpr size_t kMinSuccesses = 12;
 
-/// Calls visit(literal) for both polarities of every predicate with every
-/// choice of terms.
-void ForEachLiteral(const std::vector<rules::Term>& terms,
-                    const rules::World& world,
-                    const std::function<void(const rules::Literal&)>& visit) {
-  for (size_t s = 0; s < world.symbols().all().size(); ++s) {
-    const rules::Symbol& symbol = world.symbols().all()[s];
-    if (symbol.kind != rules::Symbol::Kind::kPrimitive || symbol.is_integer) {
-      continue;
-    }
-    size_t number = 1;
-    for (int i = 0; i < symbol.arity; ++i) number *= terms.size();
-    for (size_t code = 0; code < number; ++code) {
-      rules::Literal literal;
-      literal.symbol = static_cast<int>(s);
-      size_t rest = code;
-      for (int i = 0; i < symbol.arity; ++i) {
-        literal.terms.push_back(terms[rest % terms.size()]);
-        rest /= terms.size();
-      }
-      for (const Comparison truth : {Comparison::kTrue, Comparison::kFalse}) {
-        literal.comparison = truth;
-        visit(literal);
-      }
-    }
-  }
-}
-
 std::vector<rules::Term> TermsOf(const rules::Rule& rule,
                                  const rules::World& world) {
-  std::vector<rules::Term> terms;
-  for (size_t i = 0; i < rule.arguments.size(); ++i) {
-    terms.push_back({rules::Term::Kind::kVariable, static_cast<int>(i)});
-  }
+  std::vector<rules::Term> terms = ArgumentTerms(rule);
   for (int i = 0; i < world.num_constants(); ++i) {
     terms.push_back({rules::Term::Kind::kObject, i});
   }
@@ -78,12 +49,6 @@ bool Follows(const rules::Literal& a, const rules::Literal& b) {
 bool NamesAnArgument(const rules::Literal& literal) {
   return std::ranges::any_of(literal.terms, [](const rules::Term& term) {
     return term.kind == rules::Term::Kind::kVariable;
-  });
-}
-
-bool NamesNothing(const rules::Literal& literal) {
-  return std::ranges::all_of(literal.terms, [](const rules::Term& term) {
-    return term.kind == rules::Term::Kind::kAny;
   });
 }
 
@@ -152,8 +117,7 @@ rules::Experience OwnChanges(const rules::Experience& experience,
   const rules::World& w = *world.world();
   Experience own = experience;
   const auto is_own = [&](int object) {
-    return object < w.num_constants() ||
-           std::ranges::count(experience.act.arguments, object) > 0;
+    return std::ranges::count(experience.act.arguments, object) > 0;
   };
   for (size_t s = 0; s < w.symbols().all().size(); ++s) {
     const int symbol = static_cast<int>(s);
@@ -231,10 +195,9 @@ std::vector<int> GoalPredicates(std::span<const Goal> goals) {
 rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
                            std::span<const int> goal_predicates,
                            const RuleWorld& world) {
+  const std::vector<Experience> all = WithReversed(experiences, world);
   std::vector<Experience> own;
-  for (const Experience& e : WithReversed(experiences, world)) {
-    own.push_back(OwnChanges(e, world));
-  }
+  for (const Experience& e : all) own.push_back(OwnChanges(e, world));
   rules::Learner learner(world.world(), rules::LearnerOptions());
   for (const Experience& e : own) learner.Add(e);
   learner.Learn();
@@ -247,6 +210,7 @@ rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
   MakeUnsure(learner.RuleCounts(), &rules);
   for (rules::Rule& rule : rules.rules) {
     Specialize(own, landmarks, *world.world(), &rule);
+    AddEffectsOnOthers(all, landmarks, world, &rule);
   }
   return rules;
 }

@@ -10,8 +10,8 @@
 
 namespace cell {
 
-/// Keeps the changes of the action's objects and of constants in a rule. All
-/// other changes are removed: the state is sensed again anyway.
+/// The experience with the changes of its action's own objects only; all other
+/// changes are undone.
 rules::Experience OwnChanges(const rules::Experience& experience,
                              const RuleWorld& world);
 
@@ -37,10 +37,11 @@ void Specialize(std::span<const rules::Experience> experiences,
 std::vector<int> GoalPredicates(std::span<const Goal> goals);
 
 /// Learns the rules of a task's actions from experiences (section V-C):
-/// rules::Learner, by OwnChanges(), then Specialize(). An action that was never
-/// experienced is learned from the reversed experiences of the one that it
-/// undoes. The probabilities are those after one more experience of each rule
-/// that is noise (rule of succession): no rule is sure.
+/// rules::Learner, by OwnChanges(), then Specialize(), and
+/// AddEffectsOnOthers(). An action that was never experienced is learned from
+/// the reversed experiences of the one that it undoes. The probabilities are
+/// those after one more experience of each rule that is noise (rule of
+/// succession): no rule is sure.
 /// @param goal_predicates  of the vocabulary: the landmarks of Specialize()
 rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
                            std::span<const int> goal_predicates,

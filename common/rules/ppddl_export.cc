@@ -34,6 +34,11 @@ bool IsUsed(const NdrRules& rules, int symbol) {
   };
   for (const Rule& rule : rules.rules) {
     if (std::ranges::any_of(rule.context, is_it)) return true;
+    for (const Outcome& outcome : rule.outcomes) {
+      for (const QuantifiedChange& each : outcome.each) {
+        if (std::ranges::any_of(each.where, is_it)) return true;
+      }
+    }
     for (const Reference& reference : rule.references) {
       if (std::ranges::any_of(reference.literals, is_it)) return true;
     }
@@ -209,15 +214,33 @@ class PpddlText {
     return atom;
   }
 
+  std::string Change(const Literal& change, const Rule& rule) const {
+    const std::string condition = Condition(change, rule, -1);
+    return change.comparison == Comparison::kEqual
+               ? "(assign" + condition.substr(2)
+               : condition;
+  }
+
+  std::string Each(const QuantifiedChange& each, const Rule& rule) const {
+    const Rule scope = rule.WithVariable(each.variable);
+    std::string where;
+    for (const Literal& literal : each.where) {
+      where += " " + Condition(literal, scope, -1);
+    }
+    return fmt::format("\n        (forall ({}) (when (and{}) {}))",
+                       VariableOf(each.variable), where,
+                       Change(each.change, scope));
+  }
+
   std::string Effect(const Rule& rule) const {
     std::string text = "(probabilistic";
     for (const Outcome& outcome : rule.outcomes) {
       text += fmt::format("\n      {} (and", outcome.probability);
+      for (const QuantifiedChange& each : outcome.each) {
+        text += Each(each, rule);
+      }
       for (const Literal& change : outcome.changes) {
-        const std::string condition = Condition(change, rule, -1);
-        text += change.comparison == Comparison::kEqual
-                    ? " (assign" + condition.substr(2)
-                    : " " + condition;
+        text += " " + Change(change, rule);
       }
       text += ")";
     }

@@ -81,6 +81,31 @@ std::optional<int> UniqueObject(const Reference& reference,
   return found;
 }
 
+void Change(const Literal& change, std::span<const int> binding,
+            const World& world, WorldState* state) {
+  const int place = PlaceOfLiteral(change, binding, world);
+  if (world.symbols()[change.symbol].is_integer) {
+    state->values[static_cast<size_t>(place)] = change.value;
+  } else {
+    World::Set(state, place, change.comparison == Comparison::kTrue);
+  }
+}
+
+void ChangeEach(const QuantifiedChange& each, std::vector<int> binding,
+                const WorldState& before, const World& world,
+                WorldState* after) {
+  binding.push_back(0);
+  for (int object = 0; object < world.num_objects(); ++object) {
+    if (!before.is_present[static_cast<size_t>(object)]) continue;
+    binding.back() = object;
+    const bool is_meant =
+        std::ranges::all_of(each.where, [&](const Literal& literal) {
+          return Holds(literal, binding, before, world);
+        });
+    if (is_meant) Change(each.change, binding, world, after);
+  }
+}
+
 void AddActs(const World& world, const WorldState& state, GroundAct* act,
              std::vector<GroundAct>* acts) {
   const Symbol& symbol = world.symbols()[act->action];
@@ -141,8 +166,19 @@ int Rule::num_literals() const {
   for (const Reference& reference : references) {
     number += reference.literals.size();
   }
-  for (const Outcome& outcome : outcomes) number += outcome.changes.size();
+  for (const Outcome& outcome : outcomes) {
+    number += outcome.changes.size();
+    for (const QuantifiedChange& each : outcome.each) {
+      number += each.where.size() + 1;
+    }
+  }
   return static_cast<int>(number);
+}
+
+Rule Rule::WithVariable(const std::string& variable) const {
+  Rule rule = *this;
+  rule.references.push_back({variable, {}});
+  return rule;
 }
 
 bool Holds(const Literal& literal, std::span<const int> binding,
@@ -195,13 +231,11 @@ std::optional<Coverage> FindCoverage(const NdrRules& rules,
 WorldState Apply(const Outcome& outcome, std::span<const int> binding,
                  const WorldState& before, const World& world) {
   WorldState after = before;
+  for (const QuantifiedChange& each : outcome.each) {
+    ChangeEach(each, {binding.begin(), binding.end()}, before, world, &after);
+  }
   for (const Literal& change : outcome.changes) {
-    const int place = PlaceOfLiteral(change, binding, world);
-    if (world.symbols()[change.symbol].is_integer) {
-      after.values[static_cast<size_t>(place)] = change.value;
-    } else {
-      World::Set(&after, place, change.comparison == Comparison::kTrue);
-    }
+    Change(change, binding, world, &after);
   }
   world.Derive(&after);
   return after;

@@ -55,9 +55,19 @@ struct Reference {
   bool operator==(const Reference&) const = default;
 };
 
+/// A change for each object for which all of `where` held before the action.
+/// In its literals that object is the variable after those of the rule.
+struct QuantifiedChange {
+  std::string variable;
+  std::vector<Literal> where;
+  Literal change;
+  bool operator==(const QuantifiedChange&) const = default;
+};
+
 struct Outcome {
   double probability = 0;
   std::vector<Literal> changes;
+  std::vector<QuantifiedChange> each = {};
   bool operator==(const Outcome&) const = default;
 };
 
@@ -79,6 +89,9 @@ struct Rule {
   }
   /// Literals of context, references and outcomes: PEN(r) of eq. (1).
   int num_literals() const;
+  /// The rule with one variable more, as the literals of a QuantifiedChange
+  /// name it.
+  Rule WithVariable(const std::string& variable) const;
 };
 
 /// Rules of all actions. In a state one of them should cover an action; if none
@@ -116,7 +129,8 @@ std::optional<Coverage> FindCoverage(const NdrRules& rules,
                                      const WorldState& state,
                                      const World& world);
 
-/// The state with the changes of an outcome, derived atoms included.
+/// The state with the changes of an outcome, derived atoms included. Where they
+/// contradict each other, those that are not quantified count.
 WorldState Apply(const Outcome& outcome, std::span<const int> binding,
                  const WorldState& before, const World& world);
 

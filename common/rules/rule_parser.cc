@@ -34,6 +34,7 @@ class RuleParser {
     if (stage_ != Stage::kEffects) {
       in.Fail("expected References:, Preconditions:, or Effects:");
     }
+    if (in.TakeIf("each")) return ReadEach(in);
     ReadOutcome(in);
   }
 
@@ -41,6 +42,8 @@ class RuleParser {
     EndRule();
     return std::move(rules_);
   }
+  /// Of the rules, each where it begins.
+  const std::vector<int>& lines() const { return lines_; }
 
  private:
   enum class Stage { kBegin, kReferences, kPreconditions, kEffects };
@@ -53,6 +56,7 @@ class RuleParser {
     place_ = in.place();
     stage_ = Stage::kBegin;
     has_noise_ = false;
+    is_after_outcome_ = false;
     const std::string name = in.Word("the name of an action");
     const auto action = symbols().Find(name);
     if (!action || symbols()[*action].kind != Symbol::Kind::kAction) {
@@ -82,6 +86,7 @@ class RuleParser {
           "the probabilities of this rule's effects sum to {}, not 1", sum));
     }
     rules_.rules.push_back(std::move(*rule_));
+    lines_.push_back(place_.line);
     rule_.reset();
   }
 
@@ -118,6 +123,7 @@ class RuleParser {
   void ReadOutcome(TokenReader& in) {
     const double probability = ReadProbability(in);
     in.Expect(":");
+    is_after_outcome_ = in.Peek() != "noise";
     if (in.TakeIf("noise")) {
       if (has_noise_) in.Fail("this rule has two noise outcomes");
       has_noise_ = true;
@@ -129,6 +135,21 @@ class RuleParser {
           {probability, ReadList(ListKind::kChanges, in)});
     }
     ExpectEnd(in);
+  }
+
+  /// "each P: not clear(P) if on(P, X)", of the outcome before it
+  void ReadEach(TokenReader& in) {
+    if (!is_after_outcome_) in.Fail("'each' follows an effect, not the noise");
+    QuantifiedChange each;
+    each.variable = NewVariable(in);
+    in.Expect(":");
+    // The variable is known to the literals of this line only.
+    rule_->references.push_back({each.variable, {}});
+    each.change = ReadLiteral(ListKind::kChanges, in);
+    if (in.TakeIf("if")) each.where = ReadList(ListKind::kConditions, in);
+    rule_->references.pop_back();
+    ExpectEnd(in);
+    rule_->outcomes.back().each.push_back(std::move(each));
   }
 
   static double ReadProbability(TokenReader& in) {
@@ -289,18 +310,25 @@ class RuleParser {
   const SymbolTable& symbols() const { return *rules_.symbols; }
 
   NdrRules rules_;
+  std::vector<int> lines_;
   std::optional<Rule> rule_;
   Place place_;  // of the rule
   Stage stage_ = Stage::kBegin;
   bool has_noise_ = false;
+  bool is_after_outcome_ = false;
 };
+
+std::vector<TextLine>::const_iterator FirstRuleIn(
+    const std::vector<TextLine>& lines) {
+  return std::ranges::find_if(
+      lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
+}
 
 }  // namespace
 
 NdrRules ParseRules(const std::string& text, const std::string& file) {
   const std::vector<TextLine> lines = SplitLines(text, file);
-  const auto first_rule = std::ranges::find_if(
-      lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
+  const auto first_rule = FirstRuleIn(lines);
   std::string declarations;
   for (auto it = lines.begin(); it != first_rule; ++it) {
     declarations += it->text + "\n";
@@ -309,6 +337,20 @@ NdrRules ParseRules(const std::string& text, const std::string& file) {
       SymbolTable::Parse(declarations, file)));
   for (auto it = first_rule; it != lines.end(); ++it) parser.Read(*it);
   return parser.Finish();
+}
+
+std::vector<PlacedRule> ParseRulesOf(std::shared_ptr<const SymbolTable> symbols,
+                                     const std::string& text,
+                                     const std::string& file) {
+  const std::vector<TextLine> lines = SplitLines(text, file);
+  RuleParser parser(std::move(symbols));
+  for (auto it = FirstRuleIn(lines); it != lines.end(); ++it) parser.Read(*it);
+  const NdrRules rules = parser.Finish();
+  std::vector<PlacedRule> placed;
+  for (size_t i = 0; i < rules.rules.size(); ++i) {
+    placed.push_back({parser.lines()[i], rules.rules[i]});
+  }
+  return placed;
 }
 
 }  // namespace cell::rules

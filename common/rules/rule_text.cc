@@ -43,6 +43,17 @@ std::string ListText(const std::vector<Literal>& literals, const Rule& rule,
   return text.empty() ? empty : text;
 }
 
+std::string EachText(const QuantifiedChange& each, const Rule& rule,
+                     const SymbolTable& symbols) {
+  const Rule scope = rule.WithVariable(each.variable);
+  std::string text = fmt::format("    each {}: {}", each.variable,
+                                 ToText(each.change, scope, symbols));
+  if (!each.where.empty()) {
+    text += " if " + ListText(each.where, scope, symbols, "");
+  }
+  return text + "\n";
+}
+
 std::string ProbabilityText(double probability, int num_digits) {
   return num_digits == 0 ? fmt::format("{}", probability)
                          : fmt::format("{:.{}f}", probability, num_digits);
@@ -89,6 +100,9 @@ std::string ToText(const Rule& rule, const SymbolTable& symbols,
     text += fmt::format("  {}: {}\n",
                         ProbabilityText(outcome.probability, num_digits),
                         ListText(outcome.changes, rule, symbols, "nothing"));
+    for (const QuantifiedChange& each : outcome.each) {
+      text += EachText(each, rule, symbols);
+    }
   }
   return text +
          fmt::format("  {}: noise\n", ProbabilityText(rule.noise, num_digits));

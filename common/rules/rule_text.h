@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "common/rules/rule.h"
 
@@ -17,6 +19,7 @@ std::string ToText(const Literal& literal, const Rule& rule,
 ///   Preconditions: block(X), height(X) <= 3
 ///   Effects:
 ///     0.75: inhand(X), not on(X, Y)
+///       each P: not clear(P) if on(P, X), not heavy(P)
 ///     0.05: nothing
 ///     0.2: noise
 ///
@@ -33,5 +36,17 @@ std::string ToText(const NdrRules& rules);
 /// constants, wrong numbers of arguments, changes of derived predicates, and
 /// probabilities that do not sum to 1
 NdrRules ParseRules(const std::string& text, const std::string& file);
+
+/// A rule and the line of its file where it begins.
+struct PlacedRule {
+  int line = 0;
+  Rule rule;
+};
+/// Reads the rules of such a text in the words of other symbols than the text
+/// declares: those of a task that may have changed since. @throws like
+/// ParseRules()
+std::vector<PlacedRule> ParseRulesOf(std::shared_ptr<const SymbolTable> symbols,
+                                     const std::string& text,
+                                     const std::string& file);
 
 }  // namespace cell::rules

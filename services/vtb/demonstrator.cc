@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 constexpr double kOutsideBy = 0.12;    // [m] beyond the workspace
 constexpr double kLayTilt = 1.05;      // [rad] it falls over from here
 constexpr double kCorrectAfter = 2.0;  // [s] that a mistake stays
+constexpr int kAttemptsInARow = 5;
 
 double SegmentDistance(const Vector2d& a, const Vector2d& b, const Vector2d& c,
                        const Vector2d& d) {
@@ -117,6 +118,11 @@ void Demonstrator::PlanEvents() {
   for (int i = Draw(script_->unknown_moves, random_); i > 0; --i) {
     plan(EventKind::kUnknownMove, 0, std::max(0, count - 2));
   }
+  if (script_->attempts.high > 0) {
+    for (int i = Draw(script_->attempts, random_); i > 0; --i) {
+      plan(EventKind::kTryOut, 0, std::max(0, count - 1));
+    }
+  }
   if (script_->too_early) plan(EventKind::kTooEarly, 0, count / 2);
   if (!script_->lay_outside.empty()) {
     plan(EventKind::kLayOutside, 0, std::max(0, count - 3));
@@ -135,7 +141,8 @@ bool Demonstrator::is_done() const {
   const bool is_all = std::ranges::all_of(placements_, [](const Placement& p) {
     return p.state == Placement::State::kDone;
   });
-  return AreHandsIdle() && (is_all || is_over_) && to_correct_.empty();
+  return AreHandsIdle() && (is_all || is_over_) && to_correct_.empty() &&
+         !explorer_.is_busy();
 }
 
 std::vector<std::string> Demonstrator::failures() const {
@@ -154,7 +161,8 @@ int Demonstrator::NumDone() const {
 
 void Demonstrator::Update(double dt, World& world) {
   pause_ -= dt;
-  BookFinished();
+  explorer_.Update(dt);
+  BookFinished(world);
   if (pause_ <= 0 && !is_over_) Decide(world);
   for (Hand& hand : hands_) {
     hand.actor.Update(dt, world, *sampler_, random_);
@@ -169,7 +177,7 @@ void Demonstrator::Decide(World& world) {
       });
   if (is_event_running) return;
   const bool is_event_due =
-      !to_correct_.empty() ||
+      !to_correct_.empty() || explorer_.is_busy() ||
       (!events_.empty() && events_.front().when <= NumDone());
   if (is_event_due && AreHandsIdle()) {
     StartEvent(world);
@@ -185,8 +193,9 @@ void Demonstrator::Decide(World& world) {
   }
 }
 
-/// Records the placements that the hands have finished.
-void Demonstrator::BookFinished() {
+/// Records what the hands have finished.
+void Demonstrator::BookFinished(const World& world) {
+  if (AreHandsIdle()) explorer_.Book(world);
   for (Hand& hand : hands_) {
     if (!hand.actor.is_idle() || hand.placement < 0 || hand.is_fetched) {
       continue;
@@ -313,6 +322,7 @@ void Demonstrator::StartEvent(World& world) {
     if (TakeBack(to_correct_, world)) to_correct_.clear();
     return;
   }
+  if (explorer_.is_busy()) return Explore(world);
   Event event = events_.front();
   events_.erase(events_.begin());
   if (Start(event.kind, world)) return;
@@ -340,6 +350,9 @@ bool Demonstrator::Start(EventKind kind, World& world) {
       return MoveAside(world);
     case EventKind::kTooEarly:
       return PlaceTooEarly(world);
+    case EventKind::kTryOut:
+      explorer_.Begin(kAttemptsInARow);
+      return true;
     case EventKind::kLayOutside:
       return LayOutside(world);
     case EventKind::kLayDown:
@@ -391,6 +404,52 @@ bool Demonstrator::PlaceTooEarly(World& world) {
     return true;
   }
   return false;
+}
+
+/// The next attempt, or takes back a part that an attempt has seated.
+void Demonstrator::Explore(World& world) {
+  HandActor& actor = hands_.front().actor;
+  if (const auto seated = explorer_.ToTakeBack(random_)) {
+    const auto X_WO = PlaceFor(seated->part, kMinMove, world);
+    if (!X_WO) return;
+    PutOnTable(seated->part, seated->site, {nullptr, "", *X_WO});
+    explorer_.TakenBack();
+    return;
+  }
+  const auto attempt = explorer_.Next(PossibleAttempts(world), random_);
+  if (!attempt) return;
+  Target target{attempt->rule, attempt->site};
+  target.X_WO_else = PlaceFor(attempt->part, kMinMove, world);
+  actor.Take(attempt->part, "");
+  actor.Put(attempt->part, target);
+  actor.GoToRest();
+}
+
+/// All but what the script would do next anyway.
+std::vector<Attempt> Demonstrator::PossibleAttempts(const World& world) const {
+  std::vector<std::string> in_place;
+  for (const Placement& placement : placements_) {
+    in_place.push_back(placement.part);
+  }
+  const auto is_next = [&](const PlacementRule& rule, const std::string& site) {
+    return std::ranges::any_of(placements_, [&](const Placement& placement) {
+      return placement.rule == &rule && placement.site == site &&
+             placement.state == Placement::State::kOpen &&
+             IsReady(placement, false);
+    });
+  };
+  std::vector<Attempt> attempts;
+  for (const std::string& name : script_->place) {
+    const PlacementRule& rule = demonstrations_->rules.at(name);
+    const auto sites = SitesToTry(rule, *demonstrations_, in_place, world);
+    for (const std::string& part : FreeParts(rule.part_type, world)) {
+      if (explorer_.IsSeatedByAttempt(part)) continue;
+      for (const std::string& site : sites) {
+        if (!is_next(rule, site)) attempts.push_back({&rule, part, site});
+      }
+    }
+  }
+  return attempts;
 }
 
 bool Demonstrator::LayOutside(World& world) {

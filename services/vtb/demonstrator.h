@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "services/vtb/explorer.h"
 #include "services/vtb/hand_actor.h"
 #include "services/vtb/placement_sampler.h"
 #include "services/vtb/script.h"
@@ -31,6 +32,10 @@ class Demonstrator {
   bool is_done() const;
   /// Parts that did not seat in spite of all tries.
   std::vector<std::string> failures() const;
+  /// What the person says of an attempt that has failed, once.
+  std::optional<FailedAttempt> TakeFailedAttempt() {
+    return explorer_.TakeFailure();
+  }
 
  private:
   struct Placement {
@@ -43,6 +48,7 @@ class Demonstrator {
     kTakeBack,
     kUnknownMove,
     kTooEarly,
+    kTryOut,
     kLayOutside,
     kLayDown
   };
@@ -57,13 +63,15 @@ class Demonstrator {
   };
 
   void PlanEvents();
-  void BookFinished();
+  void BookFinished(const World& world);
   void Decide(World& world);
   void StartEvent(World& world);
   bool Start(EventKind kind, World& world);
   bool TakeBack(const std::vector<size_t>& candidates, World& world);
   bool MoveAside(World& world);
   bool PlaceTooEarly(World& world);
+  void Explore(World& world);
+  std::vector<Attempt> PossibleAttempts(const World& world) const;
   bool LayOutside(World& world);
   bool LayDown(World& world);
   /// One of the free parts of these types; nothing if there is none.
@@ -99,8 +107,9 @@ class Demonstrator {
   std::vector<Event> events_;  // to come, the next first
   std::vector<Hand> hands_;
   std::vector<size_t> to_correct_;  // placements done too early
-  double pause_ = 0;                // [s] until the next decision
-  bool is_over_ = false;            // nothing more is begun
+  Explorer explorer_;
+  double pause_ = 0;      // [s] until the next decision
+  bool is_over_ = false;  // nothing more is begun
 };
 
 }  // namespace cell::vtb

@@ -20,7 +20,8 @@ HandAction Extract(const std::string& site);
 HandAction Carry(const std::string& part, const Target& target);
 /// Lowers a held part along the way in and presses until it is seated; searches
 /// by small circles, and tries again from above. One that does not seat in
-/// spite of all tries is a failure.
+/// spite of all tries is a failure. An attempt is given up at once: the part
+/// goes to its place on the table, and the hand to its rest.
 HandAction Insert(const std::string& part, const Target& target);
 /// Turns a part on a thread between the fingertips until it is home; nothing
 /// elsewhere.

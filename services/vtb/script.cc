@@ -148,6 +148,9 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
   if (config.Has("unknown_moves")) {
     script.unknown_moves = CountOf(config["unknown_moves"]);
   }
+  if (config.Has("attempts")) {
+    script.attempts = CountOf(config["attempts"]);
+  }
   if (config.Has("too_early")) {
     script.too_early = config.Get<std::string>("too_early");
   }

@@ -41,6 +41,8 @@ struct Script {
   CountRange take_backs;           ///< placed parts put back on the table ...
   std::vector<std::string> take_back_of;  ///< ... of these rules
   CountRange unknown_moves;  ///< parts moved from here to there on the table
+  /// Times at which it is tried out whether some parts seat at some sites.
+  CountRange attempts;
   /// Rule whose part is placed although another must come first, and then
   /// taken back.
   std::optional<std::string> too_early;

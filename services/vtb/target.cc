@@ -1,5 +1,8 @@
 #include "services/vtb/target.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace cell::vtb {
 
 using Eigen::Isometry3d;
@@ -11,6 +14,12 @@ Isometry3d PoseOfSite(const std::string& name, const World& world) {
 
 const Thread* ThreadOf(const std::string& site, const World& world) {
   return world.table().FindThread(world.table().FindSite(site)->type);
+}
+
+bool IsMeantFor(const std::string& part, const std::string& site,
+                const World& world) {
+  const std::vector<std::string>& fits = world.table().Find(part)->fits;
+  return std::ranges::count(fits, world.table().FindSite(site)->type) > 0;
 }
 
 Isometry3d GoalOf(const Target& target, const Aim& aim, const World& world) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 
 #include "services/vtb/script.h"
@@ -16,6 +17,9 @@ struct Target {
   /// [rad] to tip it on the table, about the axis between the fingers; then it
   /// is let go as low as it can be and falls.
   double tilt = 0;
+  /// Of an attempt: where on the table the part goes if it does not seat at the
+  /// site at the first try.
+  std::optional<Eigen::Isometry3d> X_WO_else = std::nullopt;
 };
 
 /// How a hand goes for a target: chosen when it sets out.
@@ -31,6 +35,10 @@ struct Aim {
 Eigen::Isometry3d PoseOfSite(const std::string& site, const World& world);
 /// Nothing if parts go into the site without turning.
 const Thread* ThreadOf(const std::string& site, const World& world);
+/// Parts of its type go to such sites. Another one may drop into a site that is
+/// too wide for it.
+bool IsMeantFor(const std::string& part, const std::string& site,
+                const World& world);
 /// Where the part is to be, as the hand aims.
 Eigen::Isometry3d GoalOf(const Target& target, const Aim& aim,
                          const World& world);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cell/alert_t.hpp"
+#include "cell/attempt_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/truth_action_t.hpp"
@@ -228,6 +229,7 @@ void Vtb::OnTick() {
   for (const auto& arm : arms_) arm->Publish(world_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
   if (episode_.is_running) PublishActions();
+  if (episode_.is_running) PublishAttempt();
   if (episode_.is_running && bus_.tick() % kRunningPeriod == 0) {
     PublishEpisode(episode_t::RUNNING);
   }
@@ -346,6 +348,18 @@ void Vtb::PublishActions() {
     message.pick_utime = action.pick_utime;
     bus_.Publish("TRUTH_ACTIONS", message);
   }
+}
+
+void Vtb::PublishAttempt() {
+  const auto failed = episode_.demonstrator->TakeFailedAttempt();
+  if (!failed || failed->attempt.rule->called.empty()) return;
+  attempt_t message{};
+  message.header.utime = bus_.now();
+  message.begin_utime = bus_.now() - std::llround(1e6 * failed->duration);
+  message.name = failed->attempt.rule->called;
+  message.part = failed->attempt.part;
+  message.site = failed->attempt.site;
+  bus_.Publish("ATTEMPT", message);
 }
 
 std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,

@@ -84,6 +84,7 @@ class Vtb : public Service {
   void PublishEpisode(int8_t phase);
   void PublishTruth();
   void PublishActions();
+  void PublishAttempt();
   void End();
   bool GiveUpWaiting();
   bool IsOver();

@@ -251,6 +251,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules",
                               "rules learn",
                               "rules record",
+                              "rules compare",
                               "rules show",
                               "rules export",
                               "eval rules",

@@ -5,13 +5,17 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/experiences/experience_text.h"
 #include "common/files/draft.h"
+#include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "common/text/counted.h"
 #include "services/cell/learning/run_experiences.h"
+#include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
 
 namespace cell::cli {
@@ -21,28 +25,80 @@ constexpr char kFreeOut[] = "choose another --out or remove it";
 
 struct RecordOptions {
   std::vector<std::string> runs;
+  std::vector<std::string> scripts;
+  std::string deploy_dir;
+  uint64_t seed = 1;
+  int count = 1;
   std::string out;
 };
 
+/// The text of all experiences, and how many there are of each action.
+class ExperienceWriter {
+ public:
+  void Add(const std::string& script, uint64_t seed,
+           const std::vector<rules::Experience>& experiences,
+           const RuleWorld& world) {
+    for (const rules::Experience& experience : experiences) {
+      Counts& counts =
+          counts_[world.world()->symbols()[experience.act.action].name];
+      ++counts.all;
+      counts.unchanged += experience.before == experience.after;
+    }
+    text_ += fmt::format("# {}, seed {}\n", script, seed) +
+             ToText(experiences, world);
+  }
+
+  void Write(const std::string& out) const {
+    WriteNewFile(out, text_, kFreeOut);
+    for (const auto& [action, counts] : counts_) {
+      std::cout << fmt::format("{}: {}, {} without a change\n", action,
+                               Counted(counts.all, "experience"),
+                               counts.unchanged);
+    }
+    std::cout << fmt::format("{}: {} bytes\n", out, text_.size());
+  }
+
+ private:
+  struct Counts {
+    int64_t all = 0;
+    int64_t unchanged = 0;
+  };
+  std::string text_;
+  std::map<std::string, Counts> counts_;
+};
+
+void Simulate(const RecordOptions& options, ExperienceWriter* writer) {
+  const CellFiles files = FindCellFiles(options.deploy_dir);
+  const RuleWorld world = RuleWorldOf(LoadTask(files.deployment).domain);
+  Progress progress;
+  for (const std::string& script : options.scripts) {
+    for (int i = 0; i < options.count; ++i) {
+      progress.Show(
+          fmt::format("{}, run {} of {}", script, i + 1, options.count));
+      const uint64_t seed = options.seed + static_cast<uint64_t>(i);
+      writer->Add(script, seed,
+                  ExperiencesOfSimulation(files.deployment, files.roster,
+                                          script, seed, world),
+                  world);
+    }
+  }
+}
+
 int RecordExperiences(const RecordOptions& options) {
   RequireFree(options.out, kFreeOut);
-  std::string text;
-  std::map<std::string, int64_t> counts;
+  if (options.runs.empty() && options.scripts.empty()) {
+    throw std::runtime_error(
+        "nothing to record: name run folders, or --simulate a demonstration");
+  }
+  ExperienceWriter writer;
   for (const std::string& path : options.runs) {
     const RunFolder run = RunFolder::Open(path);
     const RuleWorld world = RuleWorldOf(LoadTask(run.deployment).domain);
-    const auto experiences = ExperiencesOfRun(run, world);
-    for (const rules::Experience& experience : experiences) {
-      ++counts[world.world()->symbols()[experience.act.action].name];
-    }
-    text += fmt::format("# {}, seed {}\n", run.demonstration, run.seed) +
-            ToText(experiences, world);
+    writer.Add(run.demonstration, run.seed, ExperiencesOfRun(run, world),
+               world);
   }
-  WriteNewFile(options.out, text, kFreeOut);
-  for (const auto& [action, number] : counts) {
-    std::cout << fmt::format("{}: {}\n", action, Counted(number, "experience"));
-  }
-  std::cout << fmt::format("{}: {} bytes\n", options.out, text.size());
+  Simulate(options, &writer);
+  writer.Write(options.out);
   return 0;
 }
 
@@ -53,10 +109,24 @@ void AddRulesRecord(CLI::App& rules, Action* action) {
   CLI::App* command = rules.add_subcommand(
       "record",
       "Write the experiences of runs as text, to learn rules from: the state "
-      "as sensed before and after each recognised action, and each skill that "
-      "failed.\n"
-      "Example: cell rules record runs/sim-0001 --out seen.experiences");
-  command->add_option("runs", options->runs, "run folders")->required();
+      "as sensed before and after each recognised action, each skill that "
+      "failed, and each attempt that a person says has failed.\n"
+      "Example: cell rules record --simulate attempts --seed 901 --count 24 "
+      "--out attempts.experiences");
+  command->add_option("runs", options->runs, "run folders");
+  command->add_option("--simulate", options->scripts,
+                      "simulate runs of these demonstrations, without logs");
+  command
+      ->add_option("--seed", options->seed,
+                   "of the first simulated run; the next has the next")
+      ->capture_default_str();
+  command
+      ->add_option("--count", options->count,
+                   "number of simulated runs of each demonstration")
+      ->check(NumberIn(1, 1'000))
+      ->capture_default_str();
+  command->add_option("--deploy", options->deploy_dir,
+                      "folder with config/ and tasks/, to simulate");
   command->add_option("--out", options->out, "file to create")->required();
   command->callback([=] {
     *action = [=] {

@@ -3,8 +3,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
+#include "cell/attempt_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
@@ -13,13 +15,16 @@
 #include "common/bus/decode.h"
 #include "common/bus/run_log.h"
 #include "common/experiences/experience_tracer.h"
+#include "common/node/run_service.h"
 #include "common/relational/ground_action.h"
+#include "services/cell/running/service_registry.h"
+#include "services/cell/running/sim_run.h"
 #include "services/planner/planner_messages.h"
 
 namespace cell::cli {
 namespace {
 
-/// Feeds the messages of a log to a tracer for each episode.
+/// Feeds the messages of a run to a tracer for each episode.
 class RunReader {
  public:
   explicit RunReader(const RuleWorld& world)
@@ -32,6 +37,7 @@ class RunReader {
     if (message.channel == "EPISODE") Take(Decode<episode_t>(message));
     if (message.channel == "PREDICATES") Take(Decode<predicates_t>(message));
     if (message.channel == "ACTION") Take(Decode<recognised_action_t>(message));
+    if (message.channel == "ATTEMPT") Take(Decode<attempt_t>(message));
     if (message.channel == "SKILL_REQUEST") {
       Take(Decode<skill_request_t>(message));
     }
@@ -108,6 +114,18 @@ class RunReader {
                     message->header.utime);
   }
 
+  void Take(const std::optional<attempt_t>& message) {
+    if (!message) return;
+    const auto find = [&](const std::vector<std::string>& arguments) {
+      return FindGroundAction(world_.actions(), world_.vocabulary(),
+                              message->name, arguments);
+    };
+    auto action = find({message->part, message->site});
+    if (!action) action = find({message->part});
+    if (!action) return;
+    tracer_->Attempted(*action, message->begin_utime, message->header.utime);
+  }
+
   /// What undoes the action; nullopt if nothing does.
   std::optional<GroundAction> UndoingOf(const GroundAction& action) const {
     for (size_t i = 0; i < world_.actions().size(); ++i) {
@@ -157,6 +175,19 @@ std::vector<rules::Experience> ExperiencesOfRun(const RunFolder& run,
   for (const auto& [tick, entry] : log.ticks()) {
     for (const Message& message : entry.messages) reader.Put(message);
   }
+  return reader.Finish();
+}
+
+std::vector<rules::Experience> ExperiencesOfSimulation(
+    const Deployment& deployment, const Roster& roster,
+    const std::string& script, uint64_t seed, const RuleWorld& world) {
+  SimBus bus(roster, AllServices(deployment, script, seed));
+  RunReader reader(world);
+  const auto& stop = StopOnSignals();
+  RunToEnd(bus, [&](const Message& message) {
+    if (stop) throw std::runtime_error("stopped");
+    reader.Put(message);
+  });
   return reader.Finish();
 }
 

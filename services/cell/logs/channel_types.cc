@@ -10,6 +10,7 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
+#include "cell/attempt_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -66,6 +67,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"ARM_STATE_RIGHT", Of<arm_state_t>()},
       {"ARM_STOP_LEFT", Of<arm_stop_t>()},
       {"ARM_STOP_RIGHT", Of<arm_stop_t>()},
+      {"ATTEMPT", Of<attempt_t>()},
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},

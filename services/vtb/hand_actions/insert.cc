@@ -33,6 +33,7 @@ bool IsAtTarget(const std::string& part, const Target& target,
   if (world.SpeedOf(part) > kStill) return false;
   const PlacementRule* rule = target.rule;
   if (rule == nullptr) return true;
+  if (!IsMeantFor(part, target.site, world)) return false;
   if (ThreadOf(target.site, world) != nullptr) {
     return world.IsOnThread(target.site, part);
   }
@@ -114,6 +115,7 @@ class Settle final : public HandStage {
   }
 
   Progress TryAgain(HandState& hand) const {
+    if (target_.X_WO_else) return GiveUp();
     if (++hand.num_tries >= kMaxTries) {
       hand.failures.push_back(part_);
       return {.is_done = true};
@@ -121,6 +123,17 @@ class Settle final : public HandStage {
     HandAction again = Insert(part_, target_);
     again.insert(again.begin(), std::make_shared<Raise>());
     return {.is_done = true, .next = again};
+  }
+
+  Progress GiveUp() const {
+    const Target back{nullptr, "", *target_.X_WO_else};
+    HandAction away;
+    for (const HandAction& action :
+         {Extract(target_.site), Carry(part_, back), Insert(part_, back),
+          Release(part_), Retreat(), Rest()}) {
+      away.insert(away.end(), action.begin(), action.end());
+    }
+    return {.is_done = true, .next = away, .is_all_dropped = true};
   }
 
   std::string part_;

@@ -55,6 +55,14 @@ TEST_F(ExperienceTracerTest, TurnsTheReverseAround) {
   EXPECT_EQ(experiences[0], task_.world.ToExperience(third_, shaft_, second_));
 }
 
+TEST_F(ExperienceTracerTest, AnAttemptIsOneUpToWhatWasSensedByItsEnd) {
+  tracer_.Attempted(shaft_, 10, 30);
+  tracer_.Attempted(shaft_, 21, 49);  // nothing was sensed meanwhile
+  const auto experiences = tracer_.Experiences();
+  ASSERT_EQ(experiences.size(), 1U);
+  EXPECT_EQ(experiences[0], task_.world.ToExperience(first_, shaft_, second_));
+}
+
 TEST_F(ExperienceTracerTest, AFailedSkillIsOneFromRequestToResult) {
   tracer_.Failed(shaft_, 10, 19);
   tracer_.Failed(peg_, 10, 60);  // nothing was sensed after it

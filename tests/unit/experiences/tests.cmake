@@ -1,3 +1,5 @@
+cell_add_test(unit/experiences/effects_on_others_test.cc
+  LINK cell_experiences cell_planner cell_task)
 cell_add_test(unit/experiences/experience_text_test.cc
   LINK cell_experiences cell_planner cell_task)
 cell_add_test(unit/experiences/experience_tracer_test.cc

@@ -58,6 +58,18 @@ Effects:
 )");
 }
 
+TEST(PpddlExport, WritesChangesOfEachObjectAsConditionalEffects) {
+  const NdrRules rules = ParseRules(
+      "on 2 primitive\nclear 1 primitive\nput 2 action\n"
+      "Action: put(X, Y)\nPreconditions: none\nEffects:\n"
+      "  1: on(X, Y)\n    each P: not clear(P) if on(P, Y)\n  0: noise\n",
+      "r");
+  const auto text = ToPpddl(rules, "cups");
+  ASSERT_TRUE(text) << text.reason();
+  EXPECT_THAT(*text, HasSubstr("(forall (?p) (when (and (on ?p ?y)) "
+                               "(not (clear ?p)))) (on ?x ?y))"));
+}
+
 TEST(PpddlExport, SaysWhatPpddlHasNoWordsFor) {
   const NdrRules counts = ParseRules(
       "lift 1 action\non 2 primitive\nheight 1 count <-- Num Y on(X Y)\n"

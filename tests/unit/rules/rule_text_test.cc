@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "common/rules/data_text.h"
 #include "common/rules/learning/learner.h"
 #include "common/rules/rule_error.h"
 #include "common/rules/simulation.h"
@@ -39,6 +40,62 @@ TEST(RuleText, ReadsAsInThePaper) {
   ASSERT_EQ(rules.rules.size(), 1u);
   EXPECT_EQ(ToText(rules.rules[0], *rules.symbols), rule);
   EXPECT_EQ(rules.rules[0].num_literals(), 10);
+}
+
+constexpr char kEachRule[] =
+    "Action: put(X, Y)\n"
+    "Preconditions: full(X)\n"
+    "Effects:\n"
+    "  0.75: on(X, Y)\n"
+    "    each P: not full(P) if on(P, X), not on(P, Y)\n"
+    "    each P: on(P, X)\n"
+    "  0.25: noise\n";
+
+TEST(RuleText, ReadsChangesOfEachObject) {
+  const NdrRules rules =
+      ParseRules(std::string(kDeclarations) + kEachRule, "r");
+  ASSERT_EQ(rules.rules.size(), 1u);
+  EXPECT_EQ(ToText(rules.rules[0], *rules.symbols), kEachRule);
+  EXPECT_EQ(rules.rules[0].num_literals(), 6);
+  const Outcome& outcome = rules.rules[0].outcomes.at(0);
+  ASSERT_EQ(outcome.each.size(), 2u);
+  EXPECT_EQ(outcome.each[0].where.size(), 2u);
+  EXPECT_EQ(outcome.each[0].change.terms[0].index, 2);
+}
+
+TEST(RuleText, RefusesWrongChangesOfEachObject) {
+  const std::string rule = kEachRule;
+  const auto with = [&](const std::string& part, const std::string& other) {
+    std::string text = rule;
+    return RuleErrorOf(text.replace(text.find(part), part.size(), other));
+  };
+  EXPECT_THAT(with("each P: on(P, X)", "each X: on(X, X)"),
+              HasSubstr("two variables 'X'"));
+  EXPECT_THAT(with("each P: on(P, X)", "each P: on(Q, X)"),
+              HasSubstr("no variable 'Q'"));
+  EXPECT_THAT(with("each P: on(P, X)", "each P: empty(P)"),
+              HasSubstr("'empty' is derived"));
+  EXPECT_THAT(with("0.75: on(X, Y)\n", ""), HasSubstr("follows an effect"));
+}
+
+TEST(RuleText, ChangesEachObjectByTheStateBefore) {
+  const NdrRules rules = ParseRules(
+      "put 1 action\nfull 1 primitive\n"
+      "Action: put(X)\nPreconditions: none\nEffects:\n"
+      "  1: full(X)\n    each P: not full(P) if full(P)\n"
+      "    each P: full(P) if not full(P), full(X)\n  0: noise\n",
+      "r");
+  const World world(rules.symbols, {"a", "b", "c"});
+  WorldState before = ParseState("full(a) full(b)", "d", 1, world);
+  before.is_present.assign(3, 1);
+  const Outcome& outcome = rules.rules[0].outcomes[0];
+  EXPECT_EQ(ToText(Apply(outcome, std::vector{0}, before, world), world),
+            "full(a) full(c)");
+  // c is absent: nothing becomes true of it.
+  WorldState absent = before;
+  absent.is_present[2] = 0;
+  EXPECT_EQ(ToText(Apply(outcome, std::vector{0}, absent, world), world),
+            "full(a)");
 }
 
 TEST(RuleText, IsReadBackExactlyForLearnedRules) {

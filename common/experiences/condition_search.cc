@@ -1,0 +1,209 @@
+#include "common/experiences/condition_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace cell {
+namespace {
+
+/// Experiences that must agree on an effect.
+constexpr size_t kLeastExperiences = 2;
+constexpr size_t kMostLiterals = 4;
+/// Share of examples that may contradict an effect: what was sensed wrongly.
+constexpr double kMostContradicting = 0.02;
+
+}  // namespace
+
+ConditionSearch::ConditionSearch(
+    const std::vector<BoundExperience>& experiences,
+    const rules::Literal& change, const std::vector<rules::Literal>& candidates,
+    const VariableTypes& types, const rules::World& world)
+    : experiences_(experiences), change_(change), types_(types), world_(world) {
+  FindExamples();
+  if (positive_.IsEmpty()) return;
+  for (const rules::Literal& literal : candidates) {
+    rules::BitSet holds(size());
+    for (int i = 0; i < size(); ++i) {
+      if (Holds(literal, examples_[static_cast<size_t>(i)])) holds.Add(i);
+    }
+    literals_.push_back({literal, std::move(holds)});
+  }
+}
+
+std::vector<std::vector<rules::Literal>> ConditionSearch::Run() const {
+  std::vector<std::vector<rules::Literal>> found;
+  rules::BitSet open = positive_;
+  while (IsSupported(open)) {
+    const Condition condition = Complete(Grow(open), open);
+    if (!IsAgreed(condition, open)) break;
+    found.push_back(LiteralsOf(condition));
+    open -= CoveredBy(condition);
+  }
+  return found;
+}
+
+void ConditionSearch::FindExamples() {
+  const int type = types_.Wanted(change_);
+  const bool is_true = change_.comparison == rules::Comparison::kTrue;
+  for (size_t e = 0; e < experiences_.size(); ++e) {
+    const rules::Experience& experience = *experiences_[e].experience;
+    for (int object = 0; object < world_.num_objects(); ++object) {
+      if (!types_.IsObjectOf(object, type)) continue;
+      const int place = PlaceFor(experiences_[e], object);
+      if (rules::World::Get(experience.before, place) == is_true) continue;
+      const bool has_changed =
+          rules::World::Get(experience.after, place) == is_true;
+      // What an argument changes, the outcome says already.
+      const bool is_argument =
+          std::ranges::count(experience.act.arguments, object) > 0;
+      if (is_argument && has_changed) continue;
+      examples_.push_back({e, object, has_changed});
+    }
+  }
+  positive_ = rules::BitSet(size());
+  for (int i = 0; i < size(); ++i) {
+    if (examples_[static_cast<size_t>(i)].is_positive) positive_.Add(i);
+  }
+}
+
+int ConditionSearch::PlaceFor(const BoundExperience& bound, int object) const {
+  std::vector<int> objects;
+  for (const rules::Term& term : change_.terms) {
+    const auto i = static_cast<size_t>(term.index);
+    objects.push_back(i < bound.binding.size() ? bound.binding[i] : object);
+  }
+  return world_.PlaceOf(change_.symbol, objects);
+}
+
+bool ConditionSearch::Holds(const rules::Literal& literal,
+                            const Example& example) const {
+  const BoundExperience& bound = experiences_[example.experience];
+  std::vector<int> binding = bound.binding;
+  binding.push_back(example.object);
+  return rules::Holds(literal, binding, bound.experience->before, world_);
+}
+
+rules::BitSet ConditionSearch::CoveredBy(const Condition& condition) const {
+  rules::BitSet covered(size(), true);
+  for (const size_t i : condition) covered &= literals_[i].holds;
+  return covered;
+}
+
+bool ConditionSearch::IsSupported(const rules::BitSet& positive) const {
+  std::set<size_t> experiences;
+  positive.ForEach([&](int i) {
+    experiences.insert(examples_[static_cast<size_t>(i)].experience);
+  });
+  return experiences.size() >= kLeastExperiences;
+}
+
+/// Enough experiences support it, and hardly any contradicts.
+bool ConditionSearch::IsAgreed(const Condition& condition,
+                               const rules::BitSet& open) const {
+  rules::BitSet negative = CoveredBy(condition);
+  rules::BitSet positive = negative;
+  negative -= positive_;
+  positive &= open;
+  const int number = negative.Count() + positive.Count();
+  return IsSupported(positive) &&
+         negative.Count() <= kMostContradicting * number;
+}
+
+std::vector<rules::Literal> ConditionSearch::LiteralsOf(
+    const Condition& condition) const {
+  std::vector<rules::Literal> literals;
+  for (const size_t i : condition) literals.push_back(literals_[i].literal);
+  return literals;
+}
+
+/// Adds the literal that gains most information, one after the other.
+ConditionSearch::Condition ConditionSearch::Grow(
+    const rules::BitSet& open) const {
+  Condition condition;
+  rules::BitSet negative(size(), true);
+  negative -= positive_;
+  rules::BitSet covered = open;
+  covered |= negative;
+  while (covered.Meets(negative) && condition.size() < kMostLiterals) {
+    const auto best = BestLiteral(condition, covered);
+    if (!best) break;
+    condition.push_back(*best);
+    covered &= literals_[*best].holds;
+  }
+  return condition;
+}
+
+std::optional<size_t> ConditionSearch::BestLiteral(
+    const Condition& condition, const rules::BitSet& covered) const {
+  std::optional<size_t> best;
+  double best_gain = 1e-9;
+  for (size_t i = 0; i < literals_.size(); ++i) {
+    const double gain = Gain(covered, literals_[i].holds);
+    if (gain <= best_gain) continue;
+    Condition longer = condition;
+    longer.push_back(i);
+    if (!types_.AreDefined(change_, LiteralsOf(longer))) continue;
+    best_gain = gain;
+    best = i;
+  }
+  return best;
+}
+
+/// FOIL's: what is learned of each positive example that stays covered.
+double ConditionSearch::Gain(const rules::BitSet& covered,
+                             const rules::BitSet& holds) const {
+  rules::BitSet rest = covered;
+  rest &= holds;
+  const double positive = rest.CountWith(positive_);
+  if (positive == 0) return 0;
+  const double before = covered.CountWith(positive_);
+  return positive * (std::log(positive / rest.Count()) -
+                     std::log(before / covered.Count()));
+}
+
+/// Without what is not needed, and with the common type of the objects that it
+/// was found by.
+ConditionSearch::Condition ConditionSearch::Complete(
+    const Condition& grown, const rules::BitSet& open) const {
+  Condition condition = Prune(grown, 0);
+  rules::BitSet covered = CoveredBy(condition);
+  covered &= open;
+  std::vector<int> objects;
+  covered.ForEach([&](int i) {
+    objects.push_back(examples_[static_cast<size_t>(i)].object);
+  });
+  const int type = types_.CommonType(objects);
+  if (types_.IsA(types_.TypeBy(change_, LiteralsOf(condition)), type)) {
+    return condition;
+  }
+  for (size_t i = 0; i < literals_.size(); ++i) {
+    if (!types_.Says(literals_[i].literal, type)) continue;
+    condition.insert(condition.begin(), i);
+    return Prune(condition, 1);
+  }
+  return condition;
+}
+
+/// Without literals that exclude no negative example, the latest first; the
+/// first `num_kept` stay.
+ConditionSearch::Condition ConditionSearch::Prune(Condition condition,
+                                                  size_t num_kept) const {
+  const auto num_negative = [&](const Condition& c) {
+    rules::BitSet covered = CoveredBy(c);
+    covered -= positive_;
+    return covered.Count();
+  };
+  const int least = num_negative(condition);
+  for (size_t i = condition.size(); i-- > num_kept;) {
+    Condition shorter = condition;
+    shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(i));
+    if (num_negative(shorter) <= least &&
+        types_.AreDefined(change_, LiteralsOf(shorter))) {
+      condition = shorter;
+    }
+  }
+  return condition;
+}
+
+}  // namespace cell

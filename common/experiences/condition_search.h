@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/experiences/variable_types.h"
+#include "common/rules/experience.h"
+#include "common/rules/learning/bit_set.h"
+#include "common/rules/rule.h"
+
+namespace cell {
+
+/// An experience and the objects of a rule's variables in it.
+struct BoundExperience {
+  const rules::Experience* experience;
+  std::vector<int> binding;
+};
+
+/// Finds the conditions under which an action changes one atom of any object.
+///
+/// Each object whose atom has the other truth before an experience is an
+/// example: positive if the atom has changed after it. Conjunctions of literals
+/// are found by sequential covering (FOIL, Quinlan 1990): the literal that
+/// tells positive from negative ones best is added until no negative one is
+/// left, then those that are not needed are removed; until all positive ones
+/// are covered. A condition that too few experiences support is left out. One
+/// that was found by objects of a type is of that type: of others nothing is
+/// known.
+class ConditionSearch {
+ public:
+  /// All but the world's must outlive it.
+  /// @param change  of the variable after those of the rule
+  /// @param candidates  literals that conditions may have
+  ConditionSearch(const std::vector<BoundExperience>& experiences,
+                  const rules::Literal& change,
+                  const std::vector<rules::Literal>& candidates,
+                  const VariableTypes& types, const rules::World& world);
+
+  /// Each is a conjunction; the change happens where one of them holds.
+  std::vector<std::vector<rules::Literal>> Run() const;
+
+ private:
+  struct Example {
+    size_t experience = 0;
+    int object = 0;
+    bool is_positive = false;
+  };
+  struct Candidate {
+    rules::Literal literal;
+    rules::BitSet holds;  ///< examples
+  };
+  using Condition = std::vector<size_t>;  // literals, in order
+
+  int size() const { return static_cast<int>(examples_.size()); }
+  void FindExamples();
+  int PlaceFor(const BoundExperience& bound, int object) const;
+  bool Holds(const rules::Literal& literal, const Example& example) const;
+  rules::BitSet CoveredBy(const Condition& condition) const;
+  bool IsSupported(const rules::BitSet& positive) const;
+  bool IsAgreed(const Condition& condition, const rules::BitSet& open) const;
+  std::vector<rules::Literal> LiteralsOf(const Condition& condition) const;
+  Condition Grow(const rules::BitSet& open) const;
+  std::optional<size_t> BestLiteral(const Condition& condition,
+                                    const rules::BitSet& covered) const;
+  double Gain(const rules::BitSet& covered, const rules::BitSet& holds) const;
+  Condition Complete(const Condition& grown, const rules::BitSet& open) const;
+  Condition Prune(Condition condition, size_t num_kept) const;
+
+  const std::vector<BoundExperience>& experiences_;
+  const rules::Literal& change_;
+  const VariableTypes& types_;
+  const rules::World& world_;
+  std::vector<Example> examples_;
+  rules::BitSet positive_;
+  std::vector<Candidate> literals_;
+};
+
+}  // namespace cell
