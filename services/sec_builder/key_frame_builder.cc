@@ -1,9 +1,24 @@
 #include "services/sec_builder/key_frame_builder.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace cell::sec_builder {
+namespace {
+
+// Parts of a type that several have.
+ObjectTypes AlikeParts(const PartTable& parts) {
+  std::map<std::string, int> num_of_type;
+  for (const Part& part : parts.parts()) ++num_of_type[part.type];
+  ObjectTypes alike;
+  for (const Part& part : parts.parts()) {
+    if (num_of_type[part.type] > 1) alike[part.name] = part.type;
+  }
+  return alike;
+}
+
+}  // namespace
 
 KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
     const Deployment& deployment, const Task& task) {
@@ -22,6 +37,7 @@ KeyFrameBuilder::Params KeyFrameBuilder::Params::Load(
       config.Integer("merge_ms", 0, 10'000) * int64_t{1000};
   params.extractor.absent_us =
       config.Integer("absent_ms", 1, 1'000'000) * int64_t{1000};
+  params.extractor.alike = AlikeParts(task.parts);
   params.smoother.position_sd = config.Number("pose_noise_mm", 0, 100) * 1e-3;
   params.smoother.lag_frames = config.Integer("lag_frames", 1, 100);
   params.emulation = KeyFrameEmulation::Params::FromConfig(config["emulation"]);
