@@ -23,18 +23,27 @@ class Assignment {
                              size_t num_columns);
 
  private:
+  // The method's tables of a problem, with index 0 for none: potentials of rows
+  // and columns, row of each column, and of the current tree: slack,
+  // predecessor, is in it.
+  struct Tables {
+    int* row_potential;
+    int* column_potential;
+    int* row_of;
+    int* predecessor;
+    int* slack;
+    int* is_in_tree;
+  };
+
+  Tables MakeTables(size_t num_rows, size_t num_columns);
   void StartWithBest(std::span<const int> weights, size_t num_rows,
-                     size_t num_columns);
-  void Augment(std::span<const int> weights, size_t row, size_t num_columns);
+                     size_t num_columns, const Tables& t);
+  static void Augment(std::span<const int> weights, size_t row,
+                      size_t num_columns, const Tables& t);
 
   std::vector<int> result_;
   std::vector<int> transposed_;
-  // The method's, with index 0 for none: potentials of rows and columns, row
-  // of each column, and of the current tree: slack, predecessor, is in it.
-  std::vector<int> row_potential_, column_potential_;
-  std::vector<size_t> row_of_, predecessor_;
-  std::vector<int> slack_;
-  std::vector<char> is_in_tree_;
+  std::vector<int> tables_;
 };
 
 }  // namespace cell

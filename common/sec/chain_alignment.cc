@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 
 #include "common/sec/assignment.h"
 #include "common/sec/column_alignment.h"
@@ -21,6 +22,7 @@ struct RoleGroup {
 std::vector<size_t> RowsByRole(const RelationMatrix& matrix) {
   std::vector<size_t> rows(matrix.num_rows());
   std::iota(rows.begin(), rows.end(), size_t{0});
+  if (std::ranges::is_sorted(matrix.roles())) return rows;
   std::ranges::stable_sort(rows, {},
                            [&](size_t row) { return matrix.role(row); });
   return rows;
@@ -51,14 +53,22 @@ std::vector<RoleGroup> GroupsOf(const RelationMatrix& a,
 class Aligner {
  public:
   Aligner(const RelationMatrix& a, const RelationMatrix& b, RowRoles roles)
-      : a_(a), b_(b), groups_(GroupsOf(a, b, roles)), counts_(a, b) {}
+      : a_(a),
+        b_(b),
+        groups_(GroupsOf(a, b, roles)),
+        has_all_in_order_(roles == RowRoles::kIgnored &&
+                          std::ranges::is_sorted(groups_[0].rows_a) &&
+                          std::ranges::is_sorted(groups_[0].rows_b)),
+        counts_(a, b) {}
 
   ChainAlignment Solve() {
-    const LinePairs by_length = AssignRows(CommonLengthsInGroups());
-    const LinePairs by_place = AssignRows(counts_.OfRows(NearDiagonal()));
-    ChainAlignment best = ImproveFrom(by_length);
-    if (by_place == by_length || by_place == best.rows) return best;
-    ChainAlignment other = ImproveFrom(by_place);
+    LinePairs by_length, by_place;
+    AssignRows(CommonLengthsInGroups(), &by_length);
+    AssignRows(counts_.OfRows(NearDiagonal()), &by_place);
+    const bool is_one_start = by_place == by_length;
+    ChainAlignment best = ImproveFrom(std::move(by_length));
+    if (is_one_start || by_place == best.rows) return best;
+    ChainAlignment other = ImproveFrom(std::move(by_place));
     return other.num_equal > best.num_equal ? other : best;
   }
 
@@ -69,8 +79,10 @@ class Aligner {
       const int num_equal = columns_.Solve(counts_.OfColumns(rows),
                                            a_.num_columns(), b_.num_columns());
       if (num_equal <= best.num_equal) break;
-      best = {std::move(rows), columns_.Pairs(), num_equal};
-      rows = AssignRows(counts_.OfRows(best.columns));
+      best.num_equal = num_equal;
+      std::swap(best.rows, rows);
+      columns_.PutPairs(&best.columns);
+      AssignRows(counts_.OfRows(best.columns), &rows);
     }
     return best;
   }
@@ -114,30 +126,40 @@ class Aligner {
     return pairs;
   }
 
-  // The rows of each role that correspond, with weights as EntryCounts has.
-  LinePairs AssignRows(std::span<const int> weights) {
-    LinePairs rows;
-    rows.reserve(a_.num_rows());
+  // Puts the rows of each role that correspond, with weights as EntryCounts
+  // has.
+  void AssignRows(std::span<const int> weights, LinePairs* rows) {
+    rows->clear();
+    rows->reserve(std::min(a_.num_rows(), b_.num_rows()));
     for (const auto& [rows_a, rows_b] : groups_) {
-      weights_.clear();
-      for (const size_t i : rows_a) {
-        for (const size_t j : rows_b) {
-          weights_.push_back(weights[i * b_.num_rows() + j]);
-        }
-      }
-      const auto row_of_b =
-          assignment_.Solve(weights_, rows_a.size(), rows_b.size());
+      const auto row_of_b = assignment_.Solve(
+          WeightsOf(weights, rows_a, rows_b), rows_a.size(), rows_b.size());
       for (size_t k = 0; k < row_of_b.size(); ++k) {
         if (row_of_b[k] == Assignment::kNone) continue;
-        rows.emplace_back(rows_a[k], rows_b[static_cast<size_t>(row_of_b[k])]);
+        rows->emplace_back(rows_a[k], rows_b[static_cast<size_t>(row_of_b[k])]);
       }
     }
-    return rows;
+  }
+
+  // The weights of these rows only, which are in order if they are all rows of
+  // matrices that are sorted.
+  std::span<const int> WeightsOf(std::span<const int> weights,
+                                 const std::vector<size_t>& rows_a,
+                                 const std::vector<size_t>& rows_b) {
+    if (has_all_in_order_) return weights;
+    weights_.clear();
+    for (const size_t i : rows_a) {
+      for (const size_t j : rows_b) {
+        weights_.push_back(weights[i * b_.num_rows() + j]);
+      }
+    }
+    return weights_;
   }
 
   const RelationMatrix& a_;
   const RelationMatrix& b_;
   std::vector<RoleGroup> groups_;
+  bool has_all_in_order_;  // one group, of all rows
   EntryCounts counts_;
   Assignment assignment_;
   ColumnAlignment columns_;

@@ -21,8 +21,9 @@ int ColumnAlignment::Solve(std::span<const int> gains, size_t num_a,
   return best_.back();
 }
 
-LinePairs ColumnAlignment::Pairs() const {
-  LinePairs pairs;
+void ColumnAlignment::PutPairs(LinePairs* pairs) const {
+  pairs->clear();
+  pairs->reserve(std::min(num_a_, num_b_));
   size_t u = num_a_;
   size_t v = num_b_;
   while (u > 0 && v > 0) {
@@ -32,11 +33,10 @@ LinePairs ColumnAlignment::Pairs() const {
     } else if (best == Best(u, v - 1)) {
       --v;
     } else {
-      pairs.emplace_back(--u, --v);
+      pairs->emplace_back(--u, --v);
     }
   }
-  std::ranges::reverse(pairs);
-  return pairs;
+  std::ranges::reverse(*pairs);
 }
 
 }  // namespace cell

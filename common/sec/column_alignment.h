@@ -17,7 +17,13 @@ class ColumnAlignment {
   int Solve(std::span<const int> gains, size_t num_a, size_t num_b);
   /// The pairs of the last call of Solve() that gain something, in order. Of
   /// several best alignments always the same.
-  LinePairs Pairs() const;
+  LinePairs Pairs() const {
+    LinePairs pairs;
+    PutPairs(&pairs);
+    return pairs;
+  }
+  /// The same, in place of what `pairs` had.
+  void PutPairs(LinePairs* pairs) const;
 
  private:
   int Best(size_t num_of_a, size_t num_of_b) const {

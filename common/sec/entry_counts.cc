@@ -1,81 +1,91 @@
 #include "common/sec/entry_counts.h"
 
+#include <algorithm>
+
 namespace cell {
 namespace {
 
-constexpr size_t kLanes = 4;  // counts of 16 bits in a word
-constexpr size_t kLaneBits = 16;
+constexpr size_t kWordBits = 64;
+constexpr size_t kNarrow = 8;
+constexpr size_t kWide = 16;
 
 }  // namespace
 
-EntryCounts::EntryCounts(const RelationMatrix& a, const RelationMatrix& b)
-    : a_(a),
-      b_(b),
-      by_rows_(PlacesOf(b, true)),
-      by_columns_(PlacesOf(b, false)) {}
-
-EntryCounts::Places EntryCounts::PlacesOf(const RelationMatrix& b,
-                                          bool is_by_rows) {
+EntryCounts::Places::Places(const RelationMatrix& b, bool is_by_rows,
+                            size_t lane_bits) {
+  const size_t num_lanes = kWordBits / lane_bits;
   const size_t num_lines = is_by_rows ? b.num_rows() : b.num_columns();
   const size_t length = is_by_rows ? b.num_columns() : b.num_rows();
-  Places places;
-  places.num_words = (length + kLanes - 1) / kLanes;
-  places.words.resize(num_lines * RelationMatrix::kNumSymbols *
-                      places.num_words);
+  num_words_ = (length + num_lanes - 1) / num_lanes;
+  words_.resize(num_lines * RelationMatrix::kNumSymbols * num_words_);
   for (size_t row = 0; row < b.num_rows(); ++row) {
-    for (size_t column = 0; column < b.num_columns(); ++column) {
+    const auto symbols = b.Row(row);
+    for (size_t column = 0; column < symbols.size(); ++column) {
       const size_t line = is_by_rows ? row : column;
       const size_t place = is_by_rows ? column : row;
       const size_t first =
-          (line * RelationMatrix::kNumSymbols + b.Symbol(row, column)) *
-          places.num_words;
-      places.words[first + place / kLanes] |= uint64_t{1}
-                                              << place % kLanes * kLaneBits;
+          (line * RelationMatrix::kNumSymbols + symbols[column]) * num_words_;
+      words_[first + place / num_lanes] |= uint64_t{1}
+                                           << place % num_lanes * lane_bits;
     }
   }
-  return places;
+}
+
+EntryCounts::EntryCounts(const RelationMatrix& a, const RelationMatrix& b)
+    : a_(a), b_(b) {}
+
+// No count is greater than the number of pairs.
+const EntryCounts::Lanes& EntryCounts::LanesFor(size_t num_pairs) {
+  const bool is_narrow = num_pairs < size_t{1} << kNarrow;
+  std::optional<Lanes>& lanes = is_narrow ? narrow_ : wide_;
+  if (!lanes) lanes.emplace(b_, is_narrow ? kNarrow : kWide);
+  return *lanes;
 }
 
 std::span<const int> EntryCounts::OfColumns(const LinePairs& rows) {
-  const size_t width = by_rows_.num_words;
+  const Lanes& lanes = LanesFor(rows.size());
+  const size_t width = lanes.by_rows.num_words();
   sums_.assign(a_.num_columns() * width, 0);
   for (const auto& [i, j] : rows) {
-    const auto row = a_.Row(i);
-    const uint64_t* places =
-        &by_rows_.words[j * RelationMatrix::kNumSymbols * width];
-    for (size_t u = 0; u < row.size(); ++u) {
-      for (size_t w = 0; w < width; ++w) {
-        sums_[u * width + w] += places[row[u] * width + w];
-      }
+    const uint64_t* places = lanes.by_rows.Of(j);
+    uint64_t* sum = sums_.data();
+    for (const uint8_t symbol : a_.Row(i)) {
+      const uint64_t* place = places + symbol * width;
+      for (size_t w = 0; w < width; ++w) *sum++ += place[w];
     }
   }
-  return Unpack(a_.num_columns(), b_.num_columns(), width);
+  return Unpack(a_.num_columns(), b_.num_columns(), width, lanes.bits);
 }
 
 std::span<const int> EntryCounts::OfRows(const LinePairs& columns) {
-  const size_t width = by_columns_.num_words;
+  const Lanes& lanes = LanesFor(columns.size());
+  const size_t width = lanes.by_columns.num_words();
   sums_.assign(a_.num_rows() * width, 0);
   for (size_t i = 0; i < a_.num_rows(); ++i) {
+    const uint8_t* row = a_.Row(i).data();
+    uint64_t* sum = &sums_[i * width];
     for (const auto& [u, v] : columns) {
-      const uint64_t* places =
-          &by_columns_
-               .words[(v * RelationMatrix::kNumSymbols + a_.Symbol(i, u)) *
-                      width];
-      for (size_t w = 0; w < width; ++w) sums_[i * width + w] += places[w];
+      const uint64_t* place = lanes.by_columns.Of(v) + row[u] * width;
+      for (size_t w = 0; w < width; ++w) sum[w] += place[w];
     }
   }
-  return Unpack(a_.num_rows(), b_.num_rows(), width);
+  return Unpack(a_.num_rows(), b_.num_rows(), width, lanes.bits);
 }
 
 std::span<const int> EntryCounts::Unpack(size_t num_lines_a, size_t num_lines_b,
-                                         size_t num_words) {
+                                         size_t num_words, size_t lane_bits) {
   counts_.resize(num_lines_a * num_lines_b);
-  constexpr uint64_t kLane = (uint64_t{1} << kLaneBits) - 1;
+  const size_t num_lanes = kWordBits / lane_bits;
+  const uint64_t lane = (uint64_t{1} << lane_bits) - 1;
+  int* count = counts_.data();
   for (size_t i = 0; i < num_lines_a; ++i) {
-    for (size_t j = 0; j < num_lines_b; ++j) {
-      const uint64_t word = sums_[i * num_words + j / kLanes];
-      counts_[i * num_lines_b + j] =
-          static_cast<int>(word >> j % kLanes * kLaneBits & kLane);
+    const uint64_t* words = &sums_[i * num_words];
+    for (size_t j = 0; j < num_lines_b; j += num_lanes, ++words) {
+      uint64_t word = *words;
+      const size_t end = std::min(j + num_lanes, num_lines_b);
+      for (size_t k = j; k < end; ++k, word >>= lane_bits) {
+        *count++ = static_cast<int>(word & lane);
+      }
     }
   }
   return counts_;

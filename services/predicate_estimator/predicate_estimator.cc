@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cell/predicates_t.hpp"
+#include "common/predicates/pose_noise_config.h"
 #include "common/scene/scene.h"
 #include "common/task/task.h"
 
@@ -96,9 +97,11 @@ void PredicateEstimator::Sense(const KeyFrame& frame) {
 std::unique_ptr<Service> MakePredicateEstimator(Bus& bus,
                                                 const Deployment& deployment) {
   const Task task = LoadTask(deployment);
+  const Config config = deployment.ForService("predicate_estimator");
   const PredicateEstimator::Params params{
-      task.scene_objects, task.domain.vocabulary(), task.MakeSensor()};
-  deployment.ForService("predicate_estimator").Finish();
+      task.scene_objects, task.domain.vocabulary(),
+      task.MakeSensor(ReadPoseNoise(config))};
+  config.Finish();
   return std::make_unique<PredicateEstimator>(bus, params);
 }
 

@@ -20,8 +20,9 @@ namespace cell::predicate_estimator {
 /// KEY_FRAME, TRACKS, SENSE_REQUEST -> PREDICATES: all ground predicates that
 /// geometry can decide, sensed at each key frame (section VII-B) and on
 /// request. Relations and poses are the key frame's; which poses are seen is
-/// taken from the latest tracks. On request relations are the latest key
-/// frame's, poses and time the latest tracks'. Keeps nothing else.
+/// taken from the latest tracks. What poses of the noise that it is told of
+/// cannot decide is unknown. On request relations are the latest key frame's,
+/// poses and time the latest tracks'. Keeps nothing else.
 class PredicateEstimator final : public Service {
  public:
   struct Params {

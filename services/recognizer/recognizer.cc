@@ -9,7 +9,7 @@
 #include "cell/recognised_action_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/actions/sec_models.h"
-#include "common/geometry/degree.h"
+#include "common/predicates/pose_noise_config.h"
 #include "common/scene/key_frame.h"
 #include "common/task/task.h"
 
@@ -153,9 +153,7 @@ Recognizer::Params Recognizer::Params::Load(const Deployment& deployment) {
                 false};
   const Config config = deployment.ForService("recognizer");
   params.recognition = Recognition::Params::Load(config);
-  params.sensor = task.MakeSensor(PoseUncertainty::OfKeyFrames(
-      config.Number("pose_noise_mm", 0, 100) * 1e-3,
-      config.Number("pose_noise_deg", 0, 90) * kDegree));
+  params.sensor = task.MakeSensor(ReadPoseNoise(config));
   params.is_learning = config.Get<bool>("learning");
   config.Finish();
   return params;

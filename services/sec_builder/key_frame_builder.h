@@ -11,6 +11,7 @@
 #include "common/task/task.h"
 #include "services/sec_builder/key_frame_emulation.h"
 #include "services/sec_builder/key_frame_extractor.h"
+#include "services/sec_builder/layer_sensor.h"
 #include "services/sec_builder/pose_smoother.h"
 #include "services/sec_builder/proximity.h"
 
@@ -27,6 +28,7 @@ class KeyFrameBuilder {
     KeyFrameExtractor::Params extractor;
     PoseSmoother::Params smoother;
     KeyFrameEmulation::Params emulation = {};
+    LayerSensor::Params layers = {};
 
     /// Of sec_builder.yaml. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment, const Task& task);
@@ -37,6 +39,8 @@ class KeyFrameBuilder {
   /// The key frames that are certain now; indices count from 0.
   /// @pre the tracks are later than the last ones.
   std::vector<KeyFrame> Update(const Tracks& tracks);
+  /// Of each of the key frames of the last Update(); none if no layer is on.
+  const std::vector<RelationLayers>& layers() const { return layers_; }
 
   /// Key frames are known so many tracks later.
   size_t lag_frames() const {
@@ -54,6 +58,8 @@ class KeyFrameBuilder {
   ProximitySensor sensor_;
   KeyFrameExtractor extractor_;
   KeyFrameEmulation emulation_;
+  LayerSensor layer_sensor_;
+  std::vector<RelationLayers> layers_;
 };
 
 }  // namespace cell::sec_builder

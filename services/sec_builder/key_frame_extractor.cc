@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "common/sec/graph_matching.h"
+
 namespace cell::sec_builder {
 namespace {
 
@@ -118,7 +120,7 @@ bool KeyFrameExtractor::IsOpen(int64_t utime, int64_t window_end) const {
          });
 }
 
-// Nothing if the changes cancel out.
+// Nothing if the changes cancel out, or only exchange parts that look alike.
 std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
   const int64_t onset = changes_.front().onset;
   const auto end =
@@ -131,7 +133,9 @@ std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
   });
   changes_.erase(changes_.begin(), end);
   if (graph == graph_) return std::nullopt;
+  const bool is_new = !MatchGraphs(graph_, graph, params_.alike);
   graph_ = std::move(graph);
+  if (!is_new) return std::nullopt;
   for (const auto& [pair, filter] : pairs_) {
     if (IsOfHandsAlone(pair)) graph_[pair] = filter.relation();
   }

@@ -9,6 +9,7 @@
 #include "common/scene/key_frame.h"
 #include "common/scene/scene_objects.h"
 #include "common/scene/track.h"
+#include "common/sec/relation_matrix.h"
 #include "services/sec_builder/pair_filter.h"
 #include "services/sec_builder/proximity.h"
 
@@ -18,6 +19,10 @@ namespace cell::sec_builder {
 /// topology (section V-B). Changes that begin together are one key frame; it
 /// is dated back to the first of them and comes as soon as none that belongs to
 /// it can still be confirmed.
+///
+/// Exact graph matching (MatchGraphs) decides whether a topology differs from
+/// the one before. Tracked objects are matched by their names, so that a
+/// tracker that confuses parts of the same shape starts no key frame.
 ///
 /// The events are those of the parts: contact between two hands (a person's and
 /// a gripper) is none, although the relations of key frames include it.
@@ -30,6 +35,8 @@ class KeyFrameExtractor {
     /// Channels with the trajectory and the forces of the arm that a hand
     /// belongs to, by hand; none of a person's.
     std::map<std::string, std::vector<std::string>> channels = {};
+    /// Parts that look alike, by name, and what they are.
+    ObjectTypes alike = {};
   };
 
   KeyFrameExtractor(const SceneObjects& scene_objects, const Params& params);

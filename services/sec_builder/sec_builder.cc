@@ -1,5 +1,8 @@
 #include "services/sec_builder/sec_builder.h"
 
+#include <vector>
+
+#include "common/scene/relation_layers.h"
 #include "common/scene/track.h"
 #include "common/task/task.h"
 
@@ -30,9 +33,16 @@ bool SecBuilder::OnTracks(const tracks_t& message) {
   last_utime_ = tracks->utime;
   // Indices go on after a restart: an episode has fewer key frames than ticks.
   if (!first_index_) first_index_ = bus_.tick();
-  for (KeyFrame& frame : builder_.Update(*tracks)) {
+  std::vector<KeyFrame> frames = builder_.Update(*tracks);
+  const std::vector<RelationLayers>& layers = builder_.layers();
+  size_t next = 0;
+  for (KeyFrame& frame : frames) {
     frame.index += *first_index_;
     bus_.Publish("KEY_FRAME", KeyFrameToMessage(frame));
+    if (next == layers.size()) continue;  // none is on
+    RelationLayers of_frame = layers[next++];
+    of_frame.key_frame = frame.index;
+    bus_.Publish("RELATION_LAYERS", LayersToMessage(of_frame, frame.utime));
   }
   return true;
 }

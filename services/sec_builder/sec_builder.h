@@ -13,6 +13,7 @@
 namespace cell::sec_builder {
 
 /// TRACKS -> KEY_FRAME: the semantic event chain of an episode (section V-B).
+/// RELATION_LAYERS follows each, if its settings ask for it.
 class SecBuilder final : public Service {
  public:
   /// `bus` must outlive this object.

@@ -28,6 +28,7 @@
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
 #include "cell/library_request_t.hpp"
+#include "cell/relation_layers_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
@@ -187,6 +188,13 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     edit.other = "PlaceSquarePeg";
     edit.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_LIBRARY"] = {Bus::Encode(edit)};
+    relation_layers_t layers{};
+    layers.relations.resize(1);
+    layers.relations[0].first = "base";
+    layers.relations[0].second = "shaft";
+    layers.relations[0].place = spatial_relation_t::CARRIES;
+    layers.num_relations = 1;
+    samples["RELATION_LAYERS"] = {Bus::Encode(layers)};
     samples["SENSE_REQUEST"] = {Bus::Encode(sense_request_t{})};
     AddOfArms(samples);
     AskLibrary(samples);
@@ -376,6 +384,7 @@ TEST_P(ForgedMessages, CrashNoServiceAndAreCounted) {
       EpisodeObserver().Put(*message);
       Decode<truth_contacts_t>(*message);
       Decode<status_t>(*message);
+      Decode<relation_layers_t>(*message);
       if (const auto frame = Decode<rgbd_frame_t>(*message)) {
         FrameFromMessage(*frame);
       }
@@ -391,15 +400,15 @@ INSTANTIATE_TEST_SUITE_P(
     AllChannels, ForgedMessages,
     testing::Values("EPISODE", "COMMAND_EPISODE", "COMMAND_FAULT",
                     "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
-                    "KEY_FRAME", "ACTION", "PREDICATES", "PLAN", "ALERT",
-                    "ANSWER", "STATUS", "COMMAND_GOAL", "COMMAND_MODE",
-                    "COMMAND_LIBRARY", "COMMAND_NAME", "MOTION_PERMIT",
-                    "MOTION_PLAN", "MOTION_REQUEST", "MODE", "SENSE_REQUEST",
-                    "SKILL_REQUEST", "SKILL_RESULT", "EXECUTION",
-                    "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT", "ARM_STATE_LEFT",
-                    "ARM_STATE_RIGHT", "WRENCH_RIGHT", "ARM_SETPOINT_LEFT",
-                    "ARM_SETPOINT_RIGHT", "FRAME_1", "LIBRARY_REQUEST",
-                    "STORE_REQUEST"),
+                    "KEY_FRAME", "RELATION_LAYERS", "ACTION", "PREDICATES",
+                    "PLAN", "ALERT", "ANSWER", "STATUS", "COMMAND_GOAL",
+                    "COMMAND_MODE", "COMMAND_LIBRARY", "COMMAND_NAME",
+                    "MOTION_PERMIT", "MOTION_PLAN", "MOTION_REQUEST", "MODE",
+                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
+                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
+                    "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
+                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
+                    "LIBRARY_REQUEST", "STORE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

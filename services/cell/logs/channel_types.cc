@@ -30,6 +30,7 @@
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
+#include "cell/relation_layers_t.hpp"
 #include "cell/rgbd_frame_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "cell/skill_request_t.hpp"
@@ -89,6 +90,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"MOTION_REQUEST", Of<motion_request_t>()},
       {"PLAN", Of<plan_t>()},
       {"PREDICATES", Of<predicates_t>()},
+      {"RELATION_LAYERS", Of<relation_layers_t>()},
       {"SENSE_REQUEST", Of<sense_request_t>()},
       {"SKILL_REQUEST", Of<skill_request_t>()},
       {"SKILL_RESULT", Of<skill_result_t>()},

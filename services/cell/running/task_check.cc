@@ -10,6 +10,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/task/task.h"
 #include "common/text/nearest.h"
+#include "services/cell/running/pose_noise_check.h"
 #include "services/cell/running/service_registry.h"
 #include "services/cell/scoring/success_criterion.h"
 #include "services/robot_arm/skill_settings.h"
@@ -117,6 +118,7 @@ void CheckTask(const CellFiles& files, const RunRequest& request) {
   CheckDemonstration(demonstrations, request.demonstration);
   CheckHelpSteps(task.domain, request.help_steps);
   CheckSkills(deployment.OfTask("domain.yaml"), task);
+  CheckPoseNoise(deployment);
   const Config roster = deployment.ForService("roster");
   CheckRoster(roster, files);
   const SimBus all(

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
@@ -27,6 +30,7 @@
 #include "services/recognizer/recognizer.h"
 #include "services/sec_builder/sec_builder.h"
 #include "services/tracker/tracker.h"
+#include "tests/test_folder.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -58,8 +62,7 @@ M Decoded(const Message& message) {
 // The four services; a message of tick k reaches the others in k + 1.
 class Watchers {
  public:
-  Watchers() {
-    const Deployment deployment = ShippedDeployment();
+  explicit Watchers(const Deployment& deployment = ShippedDeployment()) {
     Add("tracker", "tracker_ideal", MakeTracker, deployment);
     Add("sec_builder", "", MakeSecBuilder, deployment);
     Add("recognizer", "", MakeRecognizer, deployment);
@@ -220,6 +223,17 @@ class WatchingServicesTest : public testing::Test {
     PutBy("head", [&] { world_->stage().StandAt("head", 0.25, -0.5); });
   }
   int64_t now() const { return watchers_->tick() * kTickUs; }
+  /// The last that was reported of the part being in hole round_1.
+  int LastOfFirstHole(const std::string& part) const {
+    const auto last = watchers_->Sent<predicates_t>("PREDICATES").back();
+    const auto it =
+        std::ranges::find_if(last.literals, [&](const literal_t& literal) {
+          return literal.predicate == "PegInHole" &&
+                 literal.arguments ==
+                     std::vector<std::string>{part, "base.round_1"};
+        });
+    return it == last.literals.end() ? -1 : it->value;
+  }
 
   ShippedTask task_;
   std::optional<World> world_{std::in_place, task_};
@@ -305,6 +319,26 @@ TEST_F(WatchingServicesTest, PredicatesAreSensedAgainOnRequest) {
     }
   }
   EXPECT_TRUE(is_lying);
+}
+
+// Only predicate_estimator knows the noise; its input is the same.
+TEST_F(WatchingServicesTest, ASeatThatNoiseLeavesOpenIsReportedAsUnknown) {
+  Demonstrate();
+  EXPECT_EQ(LastOfFirstHole("round_peg_1"), literal_t::TRUE_);
+  const auto files = NewTestFolder();
+  Deployment deployment = ShippedDeployment();
+  std::filesystem::copy(deployment.config_dir, files,
+                        std::filesystem::copy_options::recursive);
+  std::ofstream(files / "predicate_estimator.yaml")
+      << "pose_noise_mm: 2\npose_noise_deg: 1\n";
+  deployment.config_dir = files;
+  watchers_ = std::make_unique<Watchers>(deployment);
+  world_.emplace(task_);
+  Demonstrate();
+  EXPECT_EQ(LastOfFirstHole("round_peg_1"), literal_t::UNKNOWN);
+  EXPECT_EQ(LastOfFirstHole("round_peg_2"), literal_t::FALSE_)
+      << "it touches nothing that has a seat";
+  std::filesystem::remove_all(files);
 }
 
 TEST_F(WatchingServicesTest, ANewEpisodeStartsWithoutTheLast) {

@@ -79,6 +79,20 @@ TEST(EntryCounts, CountEqualEntriesOfLinesThatCorrespond) {
   }
 }
 
+// A count of more pairs than a lane of eight bits can hold.
+TEST(EntryCounts, CountMorePairsThanALaneHas) {
+  std::mt19937_64 random(5);
+  const RelationMatrix a = RandomChain({0, 1, 2}, 100, random);
+  LinePairs columns;
+  for (size_t i = 0; i < 300; ++i) columns.emplace_back(i % 100, i % 100);
+  EntryCounts counts(a, a);
+  EXPECT_EQ(counts.OfRows(columns)[0], 300);
+  columns.resize(255);
+  EXPECT_EQ(counts.OfRows(columns)[0], 255);
+  columns.resize(256, {0, 0});
+  EXPECT_EQ(counts.OfRows(columns)[0], 256);
+}
+
 TEST(ColumnAlignment, KeepsTheOrderAndTakesTheLargestSum) {
   ColumnAlignment alignment;
   // The 9 crosses both 5s: one of it or two of them.
@@ -120,6 +134,39 @@ TEST(AlignChains, CountsWhatItSaysCorresponds) {
           }));
     }
   }
+}
+
+// Of chains of many sizes, with and without noise, sorted or not.
+uint64_t DigestOfAlignments(RowRoles roles) {
+  std::mt19937_64 random(6);
+  uint64_t digest = 0;
+  const auto put = [&](size_t value) {
+    digest = (digest ^ value) * 1'099'511'628'211u;
+  };
+  for (int trial = 0; trial < 600; ++trial) {
+    const size_t most = trial % 20 == 0 ? 40 : 9;
+    std::vector<uint32_t> rows(1 + DrawBelow(most, random));
+    for (uint32_t& role : rows) {
+      role = static_cast<uint32_t>(DrawBelow(4, random));
+    }
+    const RelationMatrix a =
+        RandomChain(rows, 2 + DrawBelow(most, random), random);
+    const RelationMatrix b = trial % 2 == 0 ? WithNoise(a, {0.3}, random)
+                                            : RandomMatrix(random).Sorted();
+    const ChainAlignment alignment = AlignChains(a, b, roles);
+    put(static_cast<size_t>(alignment.num_equal));
+    for (const LinePairs* pairs : {&alignment.rows, &alignment.columns}) {
+      for (const auto& [i, j] : *pairs) put(i * 1000 + j);
+    }
+  }
+  return digest;
+}
+
+// Similarities of today stay comparable with those of yesterday: the digests
+// are those of the first implementation.
+TEST(AlignChains, AlwaysGivesTheSameOfSeveralBestAlignments) {
+  EXPECT_EQ(DigestOfAlignments(RowRoles::kIgnored), 15953466694849279076u);
+  EXPECT_EQ(DigestOfAlignments(RowRoles::kKept), 11916546841787422784u);
 }
 
 TEST(AlignChains, FindsAChainAmongMoreColumnsThanAWordHasBits) {

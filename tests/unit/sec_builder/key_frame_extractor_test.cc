@@ -223,6 +223,25 @@ TEST_F(KeyFrameExtractorTest, ChangesThatCancelOutWithinOneKeyFrameAreNone) {
   EXPECT_THAT(Next(20), IsEmpty());
 }
 
+// The tracker takes one for the other: in place of b, a is in the hand.
+TEST_F(KeyFrameExtractorTest,
+       PartsThatLookAlikeMayChangeNamesWithoutAKeyFrame) {
+  for (const bool are_alike : {true, false}) {
+    KeyFrameExtractor::Params params;
+    if (are_alike) params.alike = {{"a", "t"}, {"b", "t"}};
+    extractor_ = KeyFrameExtractor(scene_objects_, params);
+    touching_ = {{"a", "table"}, {"b", "hand"}};
+    EXPECT_THAT(Next(10), SizeIs(1));
+    touching_ = {{"a", "hand"}, {"b", "table"}};
+    EXPECT_THAT(Next(20), SizeIs(are_alike ? 0 : 1));
+    touching_ = {{"a", "table"}, {"b", "table"}};
+    const auto frames = Next(20);
+    ASSERT_THAT(frames, SizeIs(1)) << "it is put down";
+    EXPECT_EQ(frames[0].index, are_alike ? 1 : 2);
+    EXPECT_FALSE(Touch(frames[0].relations, "a", "hand"));
+  }
+}
+
 TEST_F(KeyFrameExtractorTest, WithoutATrackForASecondAnObjectIsAbsent) {
   Next(10);
   SetState("b", Track::State::kLost);

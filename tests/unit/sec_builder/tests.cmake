@@ -1,4 +1,5 @@
 cell_add_test(unit/sec_builder/pair_filter_test.cc LINK cell_sec_builder)
+cell_add_test(unit/sec_builder/layer_sensor_test.cc LINK cell_sec_builder)
 cell_add_test(unit/sec_builder/key_frame_extractor_test.cc LINK cell_sec_builder)
 cell_add_test(unit/sec_builder/key_frame_emulation_test.cc LINK cell_sec_builder cell_task cell_tracker)
 cell_add_test(unit/sec_builder/proximity_test.cc LINK cell_sec_builder cell_tracker)
