@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "common/planning/causal_graph.h"
 #include "common/planning/goal_search.h"
 #include "common/planning/ground_model.h"
 #include "common/planning/regression.h"
@@ -25,46 +26,57 @@ class ExcuseSearch {
       : task_(task),
         options_(options),
         model_(std::make_shared<GroundModel>(task)),
-        goal_search_(model_) {
-    for (const Conjunction& goal : task.goals) {
-      wished_.insert(goal.literals.begin(), goal.literals.end());
-      for (const auto& clause : goal.clauses) {
-        wished_.insert(clause.begin(), clause.end());
-      }
-    }
-  }
+        graph_(task),
+        goal_search_(model_),
+        may_wish_(options.goal_literals ==
+                  ExcuseOptions::GoalLiterals::kAsOthers) {}
 
   Excuses Find() {
     Excuses result;
     result.is_solvable = Helps({});
     result.is_minimal = true;
     if (!result.is_solvable) {
-      for (const bool may_wish : {false, true}) {
-        may_wish_ = may_wish;
-        if (FindSmallest()) break;
+      bool is_found = FindSmallest();
+      if (!is_found && !may_wish_) {
+        may_wish_ = true;
+        is_found = FindSmallest();
       }
-      result.is_minimal = !was_cut_;
+      result.is_minimal = is_found ? is_sure_ : !was_cut_;
     }
+    Rank();
     for (const Changes& changes : found_) {
       result.excuses.push_back(ExcuseOf(changes));
     }
-    std::ranges::stable_sort(result.excuses, {}, [](const Excuse& excuse) {
-      return std::ranges::count(excuse.changes, true,
-                                &RequiredChange::has_producer);
-    });
     result.num_trials = num_trials_;
     return result;
   }
 
  private:
   bool MayChange(const Literal& literal) const {
-    if (!may_wish_ && wished_.contains(literal)) return false;
+    if (!may_wish_ && graph_.IsOfGoal(literal)) return false;
     return !options_.may_change || options_.may_change(literal);
+  }
+
+  /// The best excuses first, as many as are asked for.
+  void Rank() {
+    const auto cost = [this](const Changes& changes) {
+      const auto wishes = std::ranges::count_if(
+          changes, [this](const Literal& l) { return graph_.IsOfGoal(l); });
+      const auto produced = std::ranges::count_if(
+          changes,
+          [this](const Literal& l) { return !graph_.ProducersOf(l).empty(); });
+      return std::pair(wishes, produced);
+    };
+    std::ranges::stable_sort(found_, {}, cost);
+    const auto most = static_cast<size_t>(options_.max_excuses);
+    if (found_.size() > most) found_.resize(most);
   }
 
   /// Tries all sets of 1, 2, ... changes; true once one helps.
   bool FindSmallest() {
-    for (int size = 1; size <= options_.max_changes; ++size) {
+    num_left_ = options_.max_trials;
+    for (int size = 1; size <= options_.max_changes && num_left_ > 0; ++size) {
+      is_sure_ = !was_cut_;
       tried_.clear();
       Extend({}, size);
       if (!found_.empty()) return true;
@@ -72,30 +84,40 @@ class ExcuseSearch {
     return false;
   }
 
+  /// Adds the sets that help, of `size` changes, that hold these.
   void Extend(const Changes& changes, int size) {
-    if (IsFull()) return;
-    const Regression reached(task_, changes);
+    if (IsOver()) return;
+    const int num_open = size - static_cast<int>(changes.size());
+    const Regression reached(graph_, changes);
     const bool has_goal = reached.HasGoal();
-    if (static_cast<int>(changes.size()) == size) {
+    if (num_open == 0) {
       if (has_goal && Helps(changes)) found_.push_back(changes);
       return;
     }
+    const auto may_add = [&](const Literal& l) {
+      return task_.initial[static_cast<size_t>(l.atom)] != l.value &&
+             std::ranges::find(changes, l) == changes.end() && MayChange(l);
+    };
     // Beyond the relaxation any change might help.
-    for (const Literal& l : has_goal ? AllChanges() : reached.Missing()) {
-      const bool is_new =
-          task_.initial[static_cast<size_t>(l.atom)] != l.value &&
-          std::ranges::find(changes, l) == changes.end();
-      if (!is_new || !MayChange(l)) continue;
+    const Regression::Gap gap =
+        has_goal ? Regression::Gap{AllChanges(), 1} : reached.FindGap(may_add);
+    if (gap.least_changes > num_open) return;
+    for (const Literal& l : gap.literals) {
+      if (!may_add(l)) continue;
       Changes more = changes;
       more.insert(std::ranges::upper_bound(more, l), l);
       if (tried_.insert(more).second) Extend(more, size);
     }
   }
 
-  bool IsFull() {
-    if (static_cast<int>(found_.size()) >= options_.max_excuses) return true;
-    if (++num_trials_ > options_.max_trials) was_cut_ = true;
-    return num_trials_ > options_.max_trials;
+  bool IsOver() {
+    if (num_left_ == 0) {
+      was_cut_ = true;
+      return true;
+    }
+    --num_left_;
+    ++num_trials_;
+    return false;
   }
 
   Changes AllChanges() const {
@@ -117,25 +139,12 @@ class ExcuseSearch {
     return answer == GoalSearch::Answer::kYes;
   }
 
-  bool HasProducer(const Literal& literal) const {
-    for (const GroundAction& action : task_.actions) {
-      for (const Outcome& outcome : action.outcomes) {
-        for (const ConditionalEffect& effect : outcome.effects) {
-          if (std::ranges::find(effect.then, literal) != effect.then.end()) {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
   Excuse ExcuseOf(const Changes& changes) const {
-    const Regression before(task_, {});
-    const Regression after(task_, changes);
+    const Regression before(graph_, {});
+    const Regression after(graph_, changes);
     Excuse excuse;
     for (const Literal& l : changes) {
-      RequiredChange change{l, {}, HasProducer(l)};
+      RequiredChange change{l, {}, !graph_.ProducersOf(l).empty()};
       for (const GroundAction& action : task_.actions) {
         if (change.needed_by.size() == kMaxNeededBy) break;
         const bool is_there =
@@ -154,22 +163,29 @@ class ExcuseSearch {
   const GroundTask& task_;
   const ExcuseOptions& options_;
   std::shared_ptr<const GroundModel> model_;
+  CausalGraph graph_;
   GoalSearch goal_search_;
-  std::set<Literal> wished_;  // by the goal
-  bool may_wish_ = false;
+  bool may_wish_;  // for literals of the goal
   bool was_cut_ = false;
+  bool is_sure_ = true;  // that nothing smaller than what is found helps
   int64_t num_trials_ = 0;
+  int64_t num_left_ = 0;
   std::set<Changes> tried_;
   std::vector<Changes> found_;
 };
 
+/// What needs the change: an action, or the goal itself.
+std::string NeederOf(const RequiredChange& change, const GroundTask& task) {
+  if (CausalGraph(task).IsOfGoal(change.literal)) return "the goal";
+  return change.needed_by.empty() ? "" : change.needed_by.front();
+}
+
 std::string Explain(const RequiredChange& change, const GroundTask& task,
                     const Words& words) {
   const Literal opposite{change.literal.atom, !change.literal.value};
-  std::string text;
-  if (!change.needed_by.empty()) {
-    text = change.needed_by.front() +
-           " needs: " + Say(change.literal, task, words) + "; but ";
+  std::string text = NeederOf(change, task);
+  if (!text.empty()) {
+    text += " needs: " + Say(change.literal, task, words) + "; but ";
   }
   text += Say(opposite, task, words);
   return text + (change.has_producer ? "" : ", and no action changes that");

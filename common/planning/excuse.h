@@ -30,9 +30,16 @@ struct Excuse {
 };
 
 struct ExcuseOptions {
-  int max_changes = 3;
+  /// Whether a literal of the goal may be asked for.
+  enum class GoalLiterals {
+    kLast,     ///< only if no others help: to wish for the goal explains little
+    kAsOthers  ///< if fewer changes do then; among equally few, others first
+  };
+  int max_changes = 6;
+  GoalLiterals goal_literals = GoalLiterals::kLast;
   int max_excuses = 8;
-  /// Sets of changes that are tried at most.
+  /// Sets of changes that are tried at most: with literals of the goal, and
+  /// without them.
   int64_t max_trials = 50'000;
   /// States that are expanded at most for each of them.
   int64_t max_expansions = 20'000;
@@ -52,9 +59,10 @@ struct Excuses {
 
 /// Candidates come from regression: from the goal back over the actions to
 /// what cannot be reached even if nothing is ever undone. Every excuse holds at
-/// least one of these literals. Literals of the goal are used only if no others
-/// help, since to wish for the goal explains nothing. Among equally small
-/// excuses those come first whose literals no action brings about.
+/// least one of these literals, and at least as many as there are parts of the
+/// goal that have none of them in common. Among equally small excuses those
+/// come first that ask for the fewest literals of the goal, then those whose
+/// literals no action brings about.
 /// @param task  with its constant atoms, see ConstantAtoms::kKeep
 Excuses FindExcuses(const GroundTask& task, const ExcuseOptions& options = {});
 
