@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 #include <utility>
@@ -27,21 +28,15 @@ class ExcuseSearch {
         options_(options),
         model_(std::make_shared<GroundModel>(task)),
         graph_(task),
-        goal_search_(model_),
-        may_wish_(options.goal_literals ==
-                  ExcuseOptions::GoalLiterals::kAsOthers) {}
+        goal_search_(model_) {}
 
   Excuses Find() {
     Excuses result;
     result.is_solvable = Helps({});
     result.is_minimal = true;
     if (!result.is_solvable) {
-      bool is_found = FindSmallest();
-      if (!is_found && !may_wish_) {
-        may_wish_ = true;
-        is_found = FindSmallest();
-      }
-      result.is_minimal = is_found ? is_sure_ : !was_cut_;
+      FindSmallest();
+      result.is_minimal = found_.empty() ? !was_cut_ : is_sure_;
     }
     Rank();
     for (const Changes& changes : found_) {
@@ -52,36 +47,63 @@ class ExcuseSearch {
   }
 
  private:
-  bool MayChange(const Literal& literal) const {
-    if (!may_wish_ && graph_.IsOfGoal(literal)) return false;
-    return !options_.may_change || options_.may_change(literal);
+  /// Predicates of facts that are given: some hold, and no action makes any
+  /// true.
+  void FindGiven() {
+    for (size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      if (task_.initial[atom]) given_.insert(task_.atoms[atom].predicate);
+    }
+    for (size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      const Literal literal{static_cast<int>(atom), true};
+      if (!graph_.ProducersOf(literal).empty()) {
+        given_.erase(task_.atoms[atom].predicate);
+      }
+    }
+  }
+
+  const std::string& PredicateOf(const Literal& literal) const {
+    return task_.atoms[static_cast<size_t>(literal.atom)].predicate;
+  }
+
+  bool IsGiven(const Literal& literal) const {
+    return literal.value && given_.contains(PredicateOf(literal));
   }
 
   /// The best excuses first, as many as are asked for.
   void Rank() {
+    FindGiven();
     const auto cost = [this](const Changes& changes) {
-      const auto wishes = std::ranges::count_if(
-          changes, [this](const Literal& l) { return graph_.IsOfGoal(l); });
-      const auto produced = std::ranges::count_if(
-          changes,
-          [this](const Literal& l) { return !graph_.ProducersOf(l).empty(); });
-      return std::pair(wishes, produced);
+      std::array<int, 3> doubts{};
+      for (const Literal& l : changes) {
+        doubts[0] += graph_.IsOfGoal(l);
+        doubts[1] += IsGiven(l);
+        doubts[2] += !graph_.ProducersOf(l).empty();
+      }
+      return doubts;
     };
     std::ranges::stable_sort(found_, {}, cost);
+    // Those that speak of what no better one speaks of, before the others.
+    std::set<std::vector<std::string>> seen;
+    std::ranges::stable_partition(found_, [&](const Changes& changes) {
+      std::vector<std::string> predicates;
+      for (const Literal& l : changes) {
+        predicates.push_back(PredicateOf(l));
+      }
+      std::ranges::sort(predicates);
+      return seen.insert(predicates).second;
+    });
     const auto most = static_cast<size_t>(options_.max_excuses);
     if (found_.size() > most) found_.resize(most);
   }
 
-  /// Tries all sets of 1, 2, ... changes; true once one helps.
-  bool FindSmallest() {
-    num_left_ = options_.max_trials;
-    for (int size = 1; size <= options_.max_changes && num_left_ > 0; ++size) {
+  /// Tries all sets of 1, 2, ... changes until some help.
+  void FindSmallest() {
+    for (int size = 1; size <= options_.max_changes; ++size) {
       is_sure_ = !was_cut_;
       tried_.clear();
       Extend({}, size);
-      if (!found_.empty()) return true;
+      if (!found_.empty() || num_trials_ == options_.max_trials) return;
     }
-    return false;
   }
 
   /// Adds the sets that help, of `size` changes, that hold these.
@@ -96,7 +118,8 @@ class ExcuseSearch {
     }
     const auto may_add = [&](const Literal& l) {
       return task_.initial[static_cast<size_t>(l.atom)] != l.value &&
-             std::ranges::find(changes, l) == changes.end() && MayChange(l);
+             std::ranges::find(changes, l) == changes.end() &&
+             (!options_.may_change || options_.may_change(l));
     };
     // Beyond the relaxation any change might help.
     const Regression::Gap gap =
@@ -111,11 +134,10 @@ class ExcuseSearch {
   }
 
   bool IsOver() {
-    if (num_left_ == 0) {
+    if (num_trials_ == options_.max_trials) {
       was_cut_ = true;
       return true;
     }
-    --num_left_;
     ++num_trials_;
     return false;
   }
@@ -165,11 +187,10 @@ class ExcuseSearch {
   std::shared_ptr<const GroundModel> model_;
   CausalGraph graph_;
   GoalSearch goal_search_;
-  bool may_wish_;  // for literals of the goal
   bool was_cut_ = false;
   bool is_sure_ = true;  // that nothing smaller than what is found helps
   int64_t num_trials_ = 0;
-  int64_t num_left_ = 0;
+  std::set<std::string> given_;
   std::set<Changes> tried_;
   std::vector<Changes> found_;
 };

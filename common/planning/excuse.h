@@ -30,16 +30,9 @@ struct Excuse {
 };
 
 struct ExcuseOptions {
-  /// Whether a literal of the goal may be asked for.
-  enum class GoalLiterals {
-    kLast,     ///< only if no others help: to wish for the goal explains little
-    kAsOthers  ///< if fewer changes do then; among equally few, others first
-  };
   int max_changes = 6;
-  GoalLiterals goal_literals = GoalLiterals::kLast;
   int max_excuses = 8;
-  /// Sets of changes that are tried at most: with literals of the goal, and
-  /// without them.
+  /// Sets of changes that are tried at most.
   int64_t max_trials = 50'000;
   /// States that are expanded at most for each of them.
   int64_t max_expansions = 20'000;
@@ -61,8 +54,12 @@ struct Excuses {
 /// what cannot be reached even if nothing is ever undone. Every excuse holds at
 /// least one of these literals, and at least as many as there are parts of the
 /// goal that have none of them in common. Among equally small excuses those
-/// come first that ask for the fewest literals of the goal, then those whose
-/// literals no action brings about.
+/// come first that ask for the fewest literals of the goal, since to wish for
+/// the goal explains little; then for the fewest facts of a kind that is given
+/// with the task (some hold, no action makes any true), since rules are more
+/// likely to be wrong than facts; then for the fewest literals that an action
+/// brings about. One of each combination of predicates comes before the second
+/// of any.
 /// @param task  with its constant atoms, see ConstantAtoms::kKeep
 Excuses FindExcuses(const GroundTask& task, const ExcuseOptions& options = {});
 

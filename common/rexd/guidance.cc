@@ -65,12 +65,13 @@ class GuidanceFinder {
       : ground_(ground), goal_(goal) {}
 
   Guidance Find() {
-    planning::ExcuseOptions options = SearchLimits();
-    options.goal_literals = planning::ExcuseOptions::GoalLiterals::kAsOthers;
-    const auto smallest = FindExcuses(ground_.task, options);
+    const auto smallest = FindExcuses(ground_.task, SearchLimits());
     if (smallest.excuses.empty()) return {};
-    for (const auto& change : smallest.excuses.front().changes) {
-      guidance_.excuse.push_back(LiteralOf(change.literal, ground_));
+    for (const planning::Excuse& excuse : smallest.excuses) {
+      guidance_.excuses.emplace_back();
+      for (const auto& change : excuse.changes) {
+        guidance_.excuses.back().push_back(LiteralOf(change.literal, ground_));
+      }
     }
     const auto num_wishes = CountWishes(smallest.excuses.front());
     for (const planning::Excuse& excuse : smallest.excuses) {

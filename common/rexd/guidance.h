@@ -15,10 +15,9 @@ struct Guidance {
     rules::GroundAct act;
     rules::Literal needs;
   };
-  /// The smallest change of the state after which there is a way to the goal.
-  /// Of equally small ones the one that asks for the fewest literals of the
-  /// goal, then for the fewest that some action brings about.
-  std::vector<rules::Literal> excuse;
+  /// The smallest changes of the state after each of which there is a way to
+  /// the goal, the best first, see planning::FindExcuses().
+  std::vector<std::vector<rules::Literal>> excuses;
   std::vector<rules::Literal> missing_effects;
   std::vector<BlockedAct> blocked_acts;  ///< possible wrong preconditions
   /// What can be done meanwhile, each by itself.
