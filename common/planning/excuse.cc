@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 #include <utility>
 
+#include "common/planning/causal_graph.h"
 #include "common/planning/goal_search.h"
 #include "common/planning/ground_model.h"
 #include "common/planning/regression.h"
@@ -25,77 +27,119 @@ class ExcuseSearch {
       : task_(task),
         options_(options),
         model_(std::make_shared<GroundModel>(task)),
-        goal_search_(model_) {
-    for (const Conjunction& goal : task.goals) {
-      wished_.insert(goal.literals.begin(), goal.literals.end());
-      for (const auto& clause : goal.clauses) {
-        wished_.insert(clause.begin(), clause.end());
-      }
-    }
-  }
+        graph_(task),
+        goal_search_(model_) {}
 
   Excuses Find() {
     Excuses result;
     result.is_solvable = Helps({});
     result.is_minimal = true;
     if (!result.is_solvable) {
-      for (const bool may_wish : {false, true}) {
-        may_wish_ = may_wish;
-        if (FindSmallest()) break;
-      }
-      result.is_minimal = !was_cut_;
+      FindSmallest();
+      result.is_minimal = found_.empty() ? !was_cut_ : is_sure_;
     }
+    Rank();
     for (const Changes& changes : found_) {
       result.excuses.push_back(ExcuseOf(changes));
     }
-    std::ranges::stable_sort(result.excuses, {}, [](const Excuse& excuse) {
-      return std::ranges::count(excuse.changes, true,
-                                &RequiredChange::has_producer);
-    });
     result.num_trials = num_trials_;
     return result;
   }
 
  private:
-  bool MayChange(const Literal& literal) const {
-    if (!may_wish_ && wished_.contains(literal)) return false;
-    return !options_.may_change || options_.may_change(literal);
+  /// Predicates of facts that are given: some hold, and no action makes any
+  /// true.
+  void FindGiven() {
+    for (size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      if (task_.initial[atom]) given_.insert(task_.atoms[atom].predicate);
+    }
+    for (size_t atom = 0; atom < task_.atoms.size(); ++atom) {
+      const Literal literal{static_cast<int>(atom), true};
+      if (!graph_.ProducersOf(literal).empty()) {
+        given_.erase(task_.atoms[atom].predicate);
+      }
+    }
   }
 
-  /// Tries all sets of 1, 2, ... changes; true once one helps.
-  bool FindSmallest() {
+  const std::string& PredicateOf(const Literal& literal) const {
+    return task_.atoms[static_cast<size_t>(literal.atom)].predicate;
+  }
+
+  bool IsGiven(const Literal& literal) const {
+    return literal.value && given_.contains(PredicateOf(literal));
+  }
+
+  /// The best excuses first, as many as are asked for.
+  void Rank() {
+    FindGiven();
+    const auto cost = [this](const Changes& changes) {
+      std::array<int, 3> doubts{};
+      for (const Literal& l : changes) {
+        doubts[0] += graph_.IsOfGoal(l);
+        doubts[1] += IsGiven(l);
+        doubts[2] += !graph_.ProducersOf(l).empty();
+      }
+      return doubts;
+    };
+    std::ranges::stable_sort(found_, {}, cost);
+    // Those that speak of what no better one speaks of, before the others.
+    std::set<std::vector<std::string>> seen;
+    std::ranges::stable_partition(found_, [&](const Changes& changes) {
+      std::vector<std::string> predicates;
+      for (const Literal& l : changes) {
+        predicates.push_back(PredicateOf(l));
+      }
+      std::ranges::sort(predicates);
+      return seen.insert(predicates).second;
+    });
+    const auto most = static_cast<size_t>(options_.max_excuses);
+    if (found_.size() > most) found_.resize(most);
+  }
+
+  /// Tries all sets of 1, 2, ... changes until some help.
+  void FindSmallest() {
     for (int size = 1; size <= options_.max_changes; ++size) {
+      is_sure_ = !was_cut_;
       tried_.clear();
       Extend({}, size);
-      if (!found_.empty()) return true;
+      if (!found_.empty() || num_trials_ == options_.max_trials) return;
     }
-    return false;
   }
 
+  /// Adds the sets that help, of `size` changes, that hold these.
   void Extend(const Changes& changes, int size) {
-    if (IsFull()) return;
-    const Regression reached(task_, changes);
+    if (IsOver()) return;
+    const int num_open = size - static_cast<int>(changes.size());
+    const Regression reached(graph_, changes);
     const bool has_goal = reached.HasGoal();
-    if (static_cast<int>(changes.size()) == size) {
+    if (num_open == 0) {
       if (has_goal && Helps(changes)) found_.push_back(changes);
       return;
     }
+    const auto may_add = [&](const Literal& l) {
+      return task_.initial[static_cast<size_t>(l.atom)] != l.value &&
+             std::ranges::find(changes, l) == changes.end() &&
+             (!options_.may_change || options_.may_change(l));
+    };
     // Beyond the relaxation any change might help.
-    for (const Literal& l : has_goal ? AllChanges() : reached.Missing()) {
-      const bool is_new =
-          task_.initial[static_cast<size_t>(l.atom)] != l.value &&
-          std::ranges::find(changes, l) == changes.end();
-      if (!is_new || !MayChange(l)) continue;
+    const Regression::Gap gap =
+        has_goal ? Regression::Gap{AllChanges(), 1} : reached.FindGap(may_add);
+    if (gap.least_changes > num_open) return;
+    for (const Literal& l : gap.literals) {
+      if (!may_add(l)) continue;
       Changes more = changes;
       more.insert(std::ranges::upper_bound(more, l), l);
       if (tried_.insert(more).second) Extend(more, size);
     }
   }
 
-  bool IsFull() {
-    if (static_cast<int>(found_.size()) >= options_.max_excuses) return true;
-    if (++num_trials_ > options_.max_trials) was_cut_ = true;
-    return num_trials_ > options_.max_trials;
+  bool IsOver() {
+    if (num_trials_ == options_.max_trials) {
+      was_cut_ = true;
+      return true;
+    }
+    ++num_trials_;
+    return false;
   }
 
   Changes AllChanges() const {
@@ -117,25 +161,12 @@ class ExcuseSearch {
     return answer == GoalSearch::Answer::kYes;
   }
 
-  bool HasProducer(const Literal& literal) const {
-    for (const GroundAction& action : task_.actions) {
-      for (const Outcome& outcome : action.outcomes) {
-        for (const ConditionalEffect& effect : outcome.effects) {
-          if (std::ranges::find(effect.then, literal) != effect.then.end()) {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
   Excuse ExcuseOf(const Changes& changes) const {
-    const Regression before(task_, {});
-    const Regression after(task_, changes);
+    const Regression before(graph_, {});
+    const Regression after(graph_, changes);
     Excuse excuse;
     for (const Literal& l : changes) {
-      RequiredChange change{l, {}, HasProducer(l)};
+      RequiredChange change{l, {}, !graph_.ProducersOf(l).empty()};
       for (const GroundAction& action : task_.actions) {
         if (change.needed_by.size() == kMaxNeededBy) break;
         const bool is_there =
@@ -154,22 +185,28 @@ class ExcuseSearch {
   const GroundTask& task_;
   const ExcuseOptions& options_;
   std::shared_ptr<const GroundModel> model_;
+  CausalGraph graph_;
   GoalSearch goal_search_;
-  std::set<Literal> wished_;  // by the goal
-  bool may_wish_ = false;
   bool was_cut_ = false;
+  bool is_sure_ = true;  // that nothing smaller than what is found helps
   int64_t num_trials_ = 0;
+  std::set<std::string> given_;
   std::set<Changes> tried_;
   std::vector<Changes> found_;
 };
 
+/// What needs the change: an action, or the goal itself.
+std::string NeederOf(const RequiredChange& change, const GroundTask& task) {
+  if (CausalGraph(task).IsOfGoal(change.literal)) return "the goal";
+  return change.needed_by.empty() ? "" : change.needed_by.front();
+}
+
 std::string Explain(const RequiredChange& change, const GroundTask& task,
                     const Words& words) {
   const Literal opposite{change.literal.atom, !change.literal.value};
-  std::string text;
-  if (!change.needed_by.empty()) {
-    text = change.needed_by.front() +
-           " needs: " + Say(change.literal, task, words) + "; but ";
+  std::string text = NeederOf(change, task);
+  if (!text.empty()) {
+    text += " needs: " + Say(change.literal, task, words) + "; but ";
   }
   text += Say(opposite, task, words);
   return text + (change.has_producer ? "" : ", and no action changes that");

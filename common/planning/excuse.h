@@ -30,7 +30,7 @@ struct Excuse {
 };
 
 struct ExcuseOptions {
-  int max_changes = 3;
+  int max_changes = 6;
   int max_excuses = 8;
   /// Sets of changes that are tried at most.
   int64_t max_trials = 50'000;
@@ -52,9 +52,14 @@ struct Excuses {
 
 /// Candidates come from regression: from the goal back over the actions to
 /// what cannot be reached even if nothing is ever undone. Every excuse holds at
-/// least one of these literals. Literals of the goal are used only if no others
-/// help, since assuming the goal explains nothing. Among equally small
-/// excuses those come first whose literals no action brings about.
+/// least one of these literals, and at least as many as there are parts of the
+/// goal that have none of them in common. Among equally small excuses those
+/// come first that assume the fewest literals of the goal, since assuming the
+/// goal explains little; then for the fewest facts of a kind that is given
+/// with the task (some hold, no action makes any true), since rules are more
+/// likely to be wrong than facts; then for the fewest literals that an action
+/// brings about. One of each combination of predicates comes before the second
+/// of any.
 /// @param task  with its constant atoms, see ConstantAtoms::kKeep
 Excuses FindExcuses(const GroundTask& task, const ExcuseOptions& options = {});
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <vector>
 
+#include "common/planning/causal_graph.h"
 #include "common/planning/ground_task.h"
 
 namespace cell::planning {
@@ -12,15 +12,27 @@ namespace cell::planning {
 /// literals, layer by layer, and regression over what it does not reach.
 class Regression {
  public:
-  Regression(const GroundTask& task, const std::vector<Literal>& added);
+  /// What keeps the goal from being reached.
+  struct Gap {
+    /// Whatever makes the goal reachable adds one of these, in the order of
+    /// regression; empty if nothing does.
+    std::vector<Literal> literals;
+    /// Whatever makes the goal reachable adds at least so many.
+    int least_changes = 0;
+  };
+
+  /// @param graph  of the task; must outlive it
+  Regression(const CausalGraph& graph, const std::vector<Literal>& added);
 
   bool Has(const Literal& literal) const { return LayerOf(literal) >= 0; }
   bool HasGoal() const;
 
-  /// The literals that are not reached and from which actions that never apply
-  /// lead to the goal, in the order of regression. Empty if the goal is
-  /// reached; if not, whatever makes it reachable adds one of them.
-  std::vector<Literal> Missing() const;
+  /// From the goal back over the actions to what is not reached. Of several
+  /// literals that a condition lacks, all are needed: it goes back from that
+  /// one which leaves the fewest literals to choose from.
+  /// @param may_add  the literals that can be added at all
+  /// Only if the goal is not reached.
+  Gap FindGap(const std::function<bool(const Literal&)>& may_add) const;
 
   /// The literals that a goal rests on where `base`, which lacks the added
   /// ones, does not go: see Excuse::subgoals.
@@ -31,27 +43,26 @@ class Regression {
   bool AppliesBy(const GroundAction& action, const Literal& literal) const;
 
  private:
-  /// An effect of an action, and the condition of both.
-  struct Rule {
-    std::vector<const Conjunction*> conditions;
-    const std::vector<Literal>* then;
-  };
+  using Literals = std::vector<Literal>;
 
-  static size_t Index(const Literal& literal) {
-    return 2 * static_cast<size_t>(literal.atom) + (literal.value ? 1 : 0);
+  int LayerOf(const Literal& literal) const {
+    return layer_[CausalGraph::Index(literal)];
   }
-  int LayerOf(const Literal& literal) const { return layer_[Index(literal)]; }
   bool Has(const Conjunction& condition) const;
   /// The layer in which a condition is reached; -1: never.
   int LayerOf(const Conjunction& condition) const;
   /// The literals of a condition by which it is reached.
   std::vector<Literal> SupportOf(const Conjunction& condition) const;
-  /// Literals that keep the condition from being reached.
-  void AddMissing(const Conjunction& condition,
-                  std::vector<Literal>* missing) const;
+  /// What the condition lacks: of each element, one literal has to be reached.
+  std::vector<Literals> MissingOf(const Conjunction& condition) const;
+  /// Of what a rule lacks, the literals to go back from: those that are seen
+  /// already, or that the fewest rules bring about.
+  Literals NextOf(const CausalGraph::Rule& rule,
+                  const std::vector<bool>& is_seen) const;
+  /// Literals of which one is added if one of `wanted` is to be reached.
+  Literals Regress(const Literals& wanted) const;
 
-  const GroundTask& task_;
-  std::vector<Rule> rules_;
+  const CausalGraph& graph_;
   std::vector<int> layer_;
 };
 

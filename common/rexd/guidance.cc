@@ -1,6 +1,7 @@
 #include "common/rexd/guidance.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "common/planning/excuse.h"
 #include "common/rexd/rule_task.h"
@@ -50,38 +51,80 @@ void AddChange(const planning::RequiredChange& change, const RuleTask& task,
   }
 }
 
+planning::ExcuseOptions SearchLimits() {
+  planning::ExcuseOptions options;
+  options.max_trials = 2000;
+  options.max_expansions = 1000;
+  return options;
+}
+
+/// Finds the excuses of a state and adds what they say.
+class GuidanceFinder {
+ public:
+  GuidanceFinder(const RuleTask& ground, const std::vector<Literal>& goal)
+      : ground_(ground), goal_(goal) {}
+
+  Guidance Find() {
+    const auto smallest = FindExcuses(ground_.task, SearchLimits());
+    if (smallest.excuses.empty()) return {};
+    for (const planning::Excuse& excuse : smallest.excuses) {
+      guidance_.excuses.emplace_back();
+      for (const auto& change : excuse.changes) {
+        guidance_.excuses.back().push_back(LiteralOf(change.literal, ground_));
+      }
+    }
+    const auto num_wishes = CountWishes(smallest.excuses.front());
+    for (const planning::Excuse& excuse : smallest.excuses) {
+      if (CountWishes(excuse) == num_wishes) Add(excuse);
+    }
+    if (num_wishes > 0) AddSuspects();
+    for (const planning::Literal& l : smallest.excuses.front().subgoals) {
+      guidance_.subgoals.push_back(LiteralOf(l, ground_));
+    }
+    return std::move(guidance_);
+  }
+
+ private:
+  bool IsWished(const planning::Literal& literal) const {
+    return std::ranges::find(goal_, LiteralOf(literal, ground_)) != goal_.end();
+  }
+
+  int64_t CountWishes(const planning::Excuse& excuse) const {
+    return std::ranges::count_if(excuse.changes, [this](const auto& change) {
+      return IsWished(change.literal);
+    });
+  }
+
+  void Add(const planning::Excuse& excuse) {
+    for (const auto& change : excuse.changes) {
+      AddChange(change, ground_, goal_, &guidance_);
+    }
+  }
+
+  /// Preconditions that keep actions from being done which would help.
+  void AddSuspects() {
+    planning::ExcuseOptions options = SearchLimits();
+    options.max_changes = 2;
+    options.may_change = [this](const planning::Literal& l) {
+      return !IsWished(l);
+    };
+    for (const auto& excuse : FindExcuses(ground_.task, options).excuses) {
+      Add(excuse);
+    }
+  }
+
+  const RuleTask& ground_;
+  const std::vector<Literal>& goal_;
+  Guidance guidance_;
+};
+
 }  // namespace
 
 Guidance FindGuidance(const NdrRules& rules, const RexdTask& task,
                       const WorldState& state,
                       const std::vector<GroundAct>& acts) {
-  Guidance guidance;
   const auto ground = GroundRuleTask(rules, task, state, acts);
-  if (!ground) return guidance;
-  planning::ExcuseOptions options;
-  options.max_trials = 2000;
-  options.max_expansions = 1000;
-  planning::Excuses excuses;
-  for (const bool may_wish : {false, true}) {
-    options.max_changes = may_wish ? static_cast<int>(task.goal.size()) : 2;
-    options.may_change = [&](const planning::Literal& l) {
-      const Literal literal = LiteralOf(l, *ground);
-      return may_wish ==
-             (std::ranges::find(task.goal, literal) != task.goal.end());
-    };
-    excuses = FindExcuses(ground->task, options);
-    if (excuses.is_solvable || !excuses.excuses.empty()) break;
-  }
-  for (const planning::Excuse& excuse : excuses.excuses) {
-    for (const auto& change : excuse.changes) {
-      AddChange(change, *ground, task.goal, &guidance);
-    }
-  }
-  if (excuses.excuses.empty()) return guidance;
-  for (const planning::Literal& l : excuses.excuses.front().subgoals) {
-    guidance.subgoals.push_back(LiteralOf(l, *ground));
-  }
-  return guidance;
+  return ground ? GuidanceFinder(*ground, task.goal).Find() : Guidance{};
 }
 
 std::string ToText(const Guidance& guidance, const World& world) {

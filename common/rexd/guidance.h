@@ -15,6 +15,9 @@ struct Guidance {
     rules::GroundAct act;
     rules::Literal needs;
   };
+  /// The smallest changes of the state after each of which there is a way to
+  /// the goal, the best first, see planning::FindExcuses().
+  std::vector<std::vector<rules::Literal>> excuses;
   std::vector<rules::Literal> missing_effects;
   std::vector<BlockedAct> blocked_acts;  ///< possible wrong preconditions
   /// What can be done meanwhile, each by itself.
@@ -23,8 +26,10 @@ struct Guidance {
   bool empty() const { return missing_effects.empty() && blocked_acts.empty(); }
 };
 
-/// From the smallest excuses of the state; empty if there is a way to the goal,
-/// or if none was found within the limits.
+/// From the smallest excuses of the state; if these ask for literals of the
+/// goal, also from those outside the goal of at most two changes, which point
+/// at preconditions. Empty if there is a way to the goal, or if no excuse was
+/// found within the limits.
 /// @param acts  the actions that are known
 Guidance FindGuidance(const rules::NdrRules& rules, const RexdTask& task,
                       const rules::WorldState& state,

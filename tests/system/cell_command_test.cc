@@ -256,6 +256,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules export",
                               "eval rules",
                               "eval rexd",
+                              "eval excuses",
                               "eval mistakes",
                               "monitor",
                               "sec similar",
