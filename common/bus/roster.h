@@ -18,8 +18,8 @@ struct Roster {
     int32_t latency = 1;     ///< ticks that one activation takes, >= 1
     std::string truth_role;  ///< as in truth_access.h; empty: the name
     /// It may publish what the clock's own service reads. The clock's service
-    /// acts once these have answered, and the others may still be at work. If
-    /// it is said of none, it holds for all.
+    /// acts once these have answered, and the others may still be at work. A
+    /// roster that marks no service waits for all.
     bool feeds_clock = false;
   };
   std::string task;  ///< folder under deploy/tasks

@@ -420,8 +420,8 @@ void Demonstrator::Explore(World& world) {
   if (!attempt) return;
   Target target{attempt->rule, attempt->site};
   target.X_WO_else = PlaceFor(attempt->part, kMinMove, world);
-  actor.Take(attempt->part, "");
-  actor.Put(attempt->part, target);
+  actor.PickUp(attempt->part, "");
+  actor.Place(attempt->part, target);
   actor.GoToRest();
 }
 
