@@ -228,6 +228,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "eval insertion",
                               "eval stream",
                               "eval groups",
+                              "eval layers",
                               "eval one_showing",
                               "explain",
                               "episode",

@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "common/actions/sec_models.h"
+#include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/recordings/recording_file.h"
 #include "common/task/task.h"
 #include "services/cell/evaluations/demonstration_set.h"
 #include "services/cell/evaluations/goal_table.h"
+#include "services/cell/evaluations/layer_ablation.h"
 #include "services/cell/evaluations/shown_groups.h"
 #include "services/cell/evaluations/shown_stream.h"
 #include "services/cell/evaluations/stream_score.h"
@@ -37,6 +39,7 @@ const std::vector<std::string> kGroupScripts = {"assembly",
                                                 "assembly_two_hands"};
 
 constexpr int kGroupOrders = 20;
+constexpr char kChooseAnotherCsv[] = "choose another --csv";
 
 struct EvalShownOptions {
   std::string deploy_dir;
@@ -45,6 +48,7 @@ struct EvalShownOptions {
   uint64_t seed = 1;
   int jobs = 2;
   std::string recordings = "runs/demonstrations";
+  std::string csv;
 };
 
 /// What is shown, and how: without a library.
@@ -147,6 +151,30 @@ int RunGroups(const EvalShownOptions& options) {
   return AreMet(measures) ? 0 : 1;
 }
 
+int RunLayers(const EvalShownOptions& options) {
+  ShownInput input(options, kGroupScripts);
+  input.params.has_layers = true;
+  if (!options.csv.empty()) RequireFree(options.csv, kChooseAnotherCsv);
+  const Task& task = input.task();
+  Progress progress;
+  const auto chains =
+      ShowChains(input.params, input.deployment(), task, input.Placements(),
+                 [&](const std::string& text) { progress.Show(text); });
+  progress.Show("comparing placements");
+  const auto results = AblateLayers(chains, task, options.seed);
+  progress.Clear();
+  std::cout << fmt::format(
+                   "{} placements of {} demonstrations, pose noise {:g} mm, "
+                   "seed {}\n",
+                   chains.size(), options.runs, options.noise_mm, options.seed)
+            << LayersTable(results);
+  if (options.csv.empty()) return 0;
+  WriteNewFile(options.csv,
+               LayersToCsv(results, options.seed, options.noise_mm),
+               kChooseAnotherCsv);
+  return 0;
+}
+
 CLI::App* AddShown(CLI::App& eval, const std::string& name,
                    const std::string& description, int default_runs,
                    std::shared_ptr<EvalShownOptions> options) {
@@ -206,6 +234,20 @@ void AddEvalShown(CLI::App& eval, Action* action) {
           return RunGroups(*groups);
         };
       });
+  auto layers = std::make_shared<EvalShownOptions>();
+  CLI::App* command = AddShown(
+      eval, "layers",
+      "Measure how much static and dynamic relations of key frames (inside, "
+      "on, above, below; getting closer, moving apart, moving together) help "
+      "to tell the actions of demonstrations apart.\n"
+      "Example: cell eval layers --runs 20 --csv layers.csv",
+      40, layers);
+  command->add_option("--csv", layers->csv, "also write the figures here");
+  command->callback([=] {
+    *action = [=] {
+      return RunLayers(*layers);
+    };
+  });
 }
 
 }  // namespace cell::cli

@@ -4,7 +4,7 @@
 
 namespace cell::cli {
 
-/// Adds `stream` and `groups` to the subcommands of `cell eval`.
+/// Adds `stream`, `groups` and `layers` to the subcommands of `cell eval`.
 void AddEvalShown(CLI::App& eval, Action* action);
 
 }  // namespace cell::cli

@@ -12,18 +12,16 @@
 #include "cell/episode_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/run_log.h"
-#include "common/files/draft.h"
-#include "common/imaging/png_file.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/scene/key_frame.h"
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "services/cell/commands/sec_commands.h"
+#include "services/cell/commands/sec_plot_library.h"
 #include "services/cell/pictures/chain_figure.h"
-#include "services/cell/pictures/raster_canvas.h"
+#include "services/cell/pictures/figure_file.h"
 #include "services/cell/pictures/scene_picture.h"
-#include "services/cell/pictures/svg_canvas.h"
 #include "services/cell/running/run_folder.h"
 
 namespace cell::cli {
@@ -34,8 +32,10 @@ constexpr size_t kMaxColumns = 60;
 struct PlotOptions {
   std::string log;
   std::string deploy_dir;
-  std::string out = "chain.png";
+  std::string out;
   std::string object;
+  std::string database;
+  bool is_of_library = false;
   int episode = 1;
   bool has_no_pictures = false;
 };
@@ -157,34 +157,16 @@ void AddPictures(const ShownEpisode& episode,
   }
 }
 
-void WriteFigure(const ChainFigure& figure, const std::filesystem::path& out) {
-  const auto [width, height] = SizeOf(figure);
-  if (out.extension() == ".svg") {
-    SvgCanvas canvas(width, height);
-    DrawChain(figure, &canvas);
-    return WriteNewFile(out, canvas.ToText(), kChooseAnotherOut);
-  }
-  RasterCanvas canvas(width, height);
-  DrawChain(figure, &canvas);
-  Draft draft(out);
-  WritePng(draft.path(), canvas.image());
-  draft.PutNew(kChooseAnotherOut);
-}
-
 int Plot(const PlotOptions& options) {
-  const std::string extension =
-      std::filesystem::path(options.out).extension().string();
-  if (extension != ".png" && extension != ".svg") {
-    throw std::invalid_argument("--out " + options.out +
-                                ": must end in .png or .svg");
-  }
-  RequireFree(options.out, kChooseAnotherOut);
+  const FigureFile file{options.out, kChooseAnotherOut};
+  file.Require();
   const Task task = LoadTask(DeploymentOf(options));
   const ShownEpisode episode = ReadEpisode(options, task);
   std::vector<KeyFrame> frames;
   ChainFigure figure = FigureOf(episode, options, &frames);
   if (!options.has_no_pictures) AddPictures(episode, frames, task, &figure);
-  WriteFigure(figure, options.out);
+  file.Write(SizeOf(figure),
+             [&](Canvas* canvas) { DrawChain(figure, canvas); });
   std::cout << fmt::format(
       "{} shows {} and {}\n", options.out,
       Counted(static_cast<int64_t>(figure.chain.num_columns()), "key frame"),
@@ -200,11 +182,24 @@ void AddSecPlot(CLI::App& sec, Action* action) {
       "plot",
       "Draw the event chain of an episode: each key frame as a picture and as "
       "a graph of what touches, and below them the matrix: 0 not touching, 1 "
-      "touching, 2 overlapping, 9 absent.\n"
+      "touching, 2 overlapping, 9 absent. Or draw a library of models.\n"
       "Example: cell sec plot runs/sim-0001 --object bolt_1 --out bolt.svg");
-  command->add_option("log", options->log, "run folder, or a log")->required();
-  command->add_option("--out", options->out, "PNG or SVG file")
-      ->capture_default_str();
+  CLI::Option* log =
+      command->add_option("log", options->log, "run folder, or a log");
+  command->add_option("--out", options->out,
+                      "PNG or SVG file (default: chain.png, library.png)");
+  CLI::Option* library =
+      command
+          ->add_flag("--library", options->is_of_library,
+                     "instead the models that were learned: their chains, the "
+                     "demonstrations that are their members, and how alike "
+                     "models and members are")
+          ->excludes(log);
+  command
+      ->add_option("--database", options->database,
+                   "of --library: a library's file, or a run folder that has "
+                   "one (default: the models that the task comes with)")
+      ->needs(library);
   command->add_option("--object", options->object,
                       "only rows of this part or hand");
   command
@@ -217,6 +212,16 @@ void AddSecPlot(CLI::App& sec, Action* action) {
   command->add_option("--deploy", options->deploy_dir,
                       "of a log: folder with config/ and tasks/");
   command->callback([=] {
+    if (options->is_of_library) {
+      *action = [=] {
+        return PlotLibrary(
+            {options->database, options->deploy_dir,
+             options->out.empty() ? "library.png" : options->out});
+      };
+      return;
+    }
+    if (options->log.empty()) throw CLI::RequiredError("log or --library");
+    if (options->out.empty()) options->out = "chain.png";
     *action = [=] {
       return Plot(*options);
     };

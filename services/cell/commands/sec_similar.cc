@@ -10,16 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "common/actions/action_model_reader.h"
 #include "common/node/cell_files.h"
 #include "common/sec/chain_similarities.h"
 #include "common/sec/role_similarity.h"
 #include "common/sec/sec_learner.h"
 #include "common/task/task.h"
-#include "services/cell/commands/library_commands.h"
+#include "services/cell/commands/library_models.h"
 #include "services/cell/commands/sec_commands.h"
 #include "services/cell/running/task_variant.h"
-#include "services/library/sqlite_action_store.h"
 
 namespace cell::cli {
 namespace {
@@ -30,27 +28,6 @@ struct SimilarOptions {
   std::string variant;
   double threshold = SecLearner::Params{}.threshold;
 };
-
-/// Of a library, or else those that the task comes with.
-RoleSimilarity::Models ModelsOf(const SimilarOptions& options,
-                                const Task& task) {
-  RoleSimilarity::Models models;
-  if (options.database.empty()) {
-    for (const ActionModel& model : task.actions) {
-      if (model.sec) models.emplace(model.action.name, *model.sec);
-    }
-    return models;
-  }
-  const library::SqliteActionStore store(
-      LibraryFile(options.database),
-      library::SqliteActionStore::Mode::kExisting);
-  for (ActionRecord record : store.All()) {
-    record.undoes.clear();  // it may undo one that only the library knows
-    const ActionModel model = ReadActionModel(record, task.domain, task.parts);
-    if (model.sec) models.emplace(record.name, *model.sec);
-  }
-  return models;
-}
 
 /// "name  1.00  0.30 ...", the columns in the order of the rows; and what is
 /// alike.
@@ -81,7 +58,7 @@ int Similar(const SimilarOptions& options) {
   }
   const Task task = LoadTask(deployment);
   const SceneWords words{task.domain.vocabulary(), task.parts};
-  const auto models = ModelsOf(options, task);
+  const auto models = ModelsOf(options.database, task);
   if (models.empty()) {
     throw std::runtime_error("no action has been learned; cell learn sec");
   }

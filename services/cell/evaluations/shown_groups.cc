@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <random>
+#include <span>
 #include <utility>
 
 #include "common/sec/chain_alignment.h"
@@ -26,7 +27,8 @@ constexpr int64_t kLabelUs = 1'500'000;  // between the action and its key frame
 struct Seen {
   std::string part;
   int64_t utime = 0;
-  EventChain chain;
+  EventChain chain;         // of all pairs
+  size_t first_column = 0;  // index of its first key frame
 };
 
 /// The placement that this is, if the person has done one.
@@ -190,16 +192,22 @@ std::vector<ShownChain> ShowChains(
       unknowing, deployment, task, show,
       [&](const ObservedManipulation& manipulation, const auto&) {
         all.push_back({manipulation.part, manipulation.after.frame.utime,
-                       manipulation.chain.RowsOf(manipulation.part)
-                           .ChangingRows()
-                           .DistinctColumns()});
+                       manipulation.chain,
+                       static_cast<size_t>(manipulation.before.frame.index)});
       });
   std::vector<ShownChain> chains;
-  for (Seen& seen : all) {
+  for (const Seen& seen : all) {
     const auto* placement = PlacementOf(seen, stream.done);
-    if (placement == nullptr || seen.chain.num_rows() == 0) continue;
-    chains.push_back({names.at(seen.part), seen.part, placement->site,
-                      std::move(seen.chain)});
+    EventChain chain =
+        seen.chain.RowsOf(seen.part).ChangingRows().DistinctColumns();
+    if (placement == nullptr || chain.num_rows() == 0) continue;
+    ShownChain& shown = chains.emplace_back(ShownChain{
+        names.at(seen.part), seen.part, placement->site, std::move(chain), {}});
+    if (!params.has_layers) continue;
+    shown.enriched = EnrichedRowsOf(
+        seen.part, seen.chain,
+        std::span(stream.layers)
+            .subspan(seen.first_column, seen.chain.num_columns()));
   }
   return chains;
 }

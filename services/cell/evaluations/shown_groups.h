@@ -9,6 +9,7 @@
 
 #include "common/sec/chain_clustering.h"
 #include "common/sec/event_chain.h"
+#include "common/sec/layered_chain.h"
 #include "common/sec/relation_matrix.h"
 #include "common/task/task.h"
 #include "services/cell/evaluations/evaluation.h"
@@ -23,6 +24,7 @@ struct ShownChain {
   std::string part;    ///< that was moved
   std::string site;    ///< where it was put; for scoring alone
   EventChain chain;
+  LayeredChain enriched;  ///< the same with layers, if the stream has them
 };
 
 /// Shows the stream to a recognizer that knows nothing.

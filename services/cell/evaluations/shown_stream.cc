@@ -67,6 +67,7 @@ ShownStream ShowStream(const ShownStreamParams& params,
   NoisyTracks tracks(std::move(joined), noise);
   auto builder = sec_builder::KeyFrameBuilder::Params::Load(deployment, task);
   builder.smoother.position_sd = noise.position_sd;
+  builder.layers.has_places = builder.layers.has_motions = params.has_layers;
   sec_builder::KeyFrameBuilder key_frames(builder);
   recognizer::Recognition recognition(
       task.scene_objects, task.parts, params.library,
@@ -77,7 +78,10 @@ ShownStream ShowStream(const ShownStreamParams& params,
   recognition.SetObserver(std::move(observe));
   ShownStream shown;
   while (const auto now = tracks.Next()) {
-    for (const KeyFrame& frame : key_frames.Update(*now)) {
+    const std::vector<KeyFrame> frames = key_frames.Update(*now);
+    shown.layers.insert(shown.layers.end(), key_frames.layers().begin(),
+                        key_frames.layers().end());
+    for (const KeyFrame& frame : frames) {
       for (auto& action : recognition.Update(frame)) {
         shown.recognised.push_back(std::move(action));
       }

@@ -8,6 +8,7 @@
 
 #include "common/config/deployment.h"
 #include "common/recordings/recording.h"
+#include "common/scene/relation_layers.h"
 #include "common/sec/sec_library.h"
 #include "common/task/task.h"
 #include "services/recognizer/recognition.h"
@@ -25,6 +26,7 @@ struct ShownStreamParams {
   double noise_mm = 0;  ///< of the poses; the estimator knows it
   uint64_t seed = 1;    ///< of the noise
   std::shared_ptr<const SecLibrary> library;
+  bool has_layers = false;  ///< key frames are enriched by all layers
 };
 
 /// What happened in the stream, and what was recognised.
@@ -36,6 +38,7 @@ struct ShownStream {
   };
   std::vector<Done> done;                                ///< by utime
   std::vector<recognizer::RecognisedAction> recognised;  ///< as they came
+  std::vector<RelationLayers> layers;  ///< of each key frame, if it has them
 };
 
 /// @param observe  called with each manipulation, unless empty

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "services/cell/pictures/relation_colour.h"
 #include "services/cell/pictures/text_drawing.h"
 
 namespace cell::cli {
@@ -33,20 +34,6 @@ Canvas::Colour ColourOf(size_t node) {
                                                         {210, 170, 130},
                                                         {160, 160, 240}}};
   return kColours[node % kColours.size()];
-}
-
-Canvas::Colour ColourOf(Relation relation) {
-  switch (relation) {
-    case Relation::kNotTouching:
-      return {238, 238, 238};
-    case Relation::kTouching:
-      return {150, 200, 240};
-    case Relation::kOverlapping:
-      return {245, 190, 110};
-    case Relation::kAbsent:
-      return {170, 170, 170};
-  }
-  return {};
 }
 
 /// Where the figure's pieces are.
@@ -141,7 +128,7 @@ void DrawColumn(const ChainFigure& figure, const FigureLayout& layout,
   for (size_t row = 0; row < figure.chain.num_rows(); ++row) {
     const Relation relation = figure.chain.At(row, column);
     canvas->Rectangle(x, layout.Y(row) + 1, layout.column_width, kRowHeight - 2,
-                      ColourOf(relation));
+                      ColourOfRelation(relation));
     canvas->CentredText(middle, layout.Y(row) + kRowHeight / 2,
                         std::to_string(static_cast<int>(relation)));
   }

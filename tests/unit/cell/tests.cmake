@@ -15,6 +15,8 @@ cell_add_test(unit/cell/contact_score_test.cc LINK cell_cli cell_geometry cell_s
 cell_add_test(unit/cell/service_units_test.cc LINK cell_cli)
 cell_add_test(unit/cell/traffic_test.cc LINK cell_cli)
 cell_add_test(unit/cell/restart_policy_test.cc LINK cell_cli)
+cell_add_test(unit/cell/library_figure_test.cc LINK cell_cli)
+cell_add_test(unit/cell/layer_ablation_test.cc LINK cell_cli cell_sec cell_tracker)
 cell_add_test(unit/cell/pose_noise_check_test.cc LINK cell_cli)
 cell_add_test(unit/cell/unit_reasons_test.cc LINK cell_cli)
 cell_add_test(unit/cell/shown_stream_test.cc LINK cell_cli cell_sec cell_tracker cell_vtb)
