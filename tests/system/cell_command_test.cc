@@ -253,6 +253,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules record",
                               "rules show",
                               "rules export",
+                              "rules import",
                               "eval rules",
                               "eval rexd",
                               "eval excuses",

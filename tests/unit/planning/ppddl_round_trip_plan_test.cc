@@ -17,8 +17,8 @@ std::string RandomDelivery(uint64_t seed) {
   for (const std::string& from : towns) {
     for (const std::string& to : towns) {
       if (from == to || random() % 3 == 0) continue;
-      init += (random() % 2 == 0 ? " (road " : " (bridge ") + from + " " + to +
-              ")";
+      init +=
+          (random() % 2 == 0 ? " (road " : " (bridge ") + from + " " + to + ")";
     }
   }
   return "(define (problem p) (:domain courier) (:objects m t u - town x - "

@@ -81,9 +81,8 @@ class Renaming : public testing::TestWithParam<uint64_t> {
 TEST_P(Renaming, ChangesNothingButNamesInPlans) {
   const auto constants = ConstantAtoms::kReplace;
   for (const std::string& problem :
-       {std::string(kDelivery),
-        With(kDelivery, "(bridge m t)",
-             "(bridge m t) (bridge t m) (road m t)")}) {
+       {std::string(kDelivery), With(kDelivery, "(bridge m t)",
+                                     "(bridge m t) (bridge t m) (road m t)")}) {
     ExpectSamePlans(Task(problem, false, constants),
                     Task(problem, true, constants), names_);
   }
@@ -94,8 +93,7 @@ TEST_P(Renaming, ChangesNothingButNamesInExcuses) {
       With(kDelivery, "(at depot)", "(at depot) (broken)");
   const std::string apart = With(kDelivery, "(road depot m)", "");
   for (const std::string& problem : {broken, apart}) {
-    const std::string told =
-        Told(Task(problem, false, ConstantAtoms::kKeep));
+    const std::string told = Told(Task(problem, false, ConstantAtoms::kKeep));
     EXPECT_NE(told, "");
     EXPECT_EQ(Renamed(told, names_),
               Told(Task(problem, true, ConstantAtoms::kKeep)));
