@@ -84,14 +84,16 @@ class ExcuseSearch {
     std::ranges::stable_sort(found_, {}, cost);
     // Those that speak of what no better one speaks of, before the others.
     std::set<std::vector<std::string>> seen;
-    std::ranges::stable_partition(found_, [&](const Changes& changes) {
+    std::vector<Changes> others;
+    std::erase_if(found_, [&](const Changes& changes) {  // in their order
       std::vector<std::string> predicates;
-      for (const Literal& l : changes) {
-        predicates.push_back(PredicateOf(l));
-      }
+      for (const Literal& l : changes) predicates.push_back(PredicateOf(l));
       std::ranges::sort(predicates);
-      return seen.insert(predicates).second;
+      const bool is_new = seen.insert(predicates).second;
+      if (!is_new) others.push_back(changes);
+      return !is_new;
     });
+    found_.insert(found_.end(), others.begin(), others.end());
     const auto most = static_cast<size_t>(options_.max_excuses);
     if (found_.size() > most) found_.resize(most);
   }

@@ -54,9 +54,10 @@ class PpddlText {
 
   std::string Domain(const std::string& name) {
     std::string text = fmt::format(
-        "(define (domain {})\n  (:requirements :adl :probabilistic-effects "
-        ":derived-predicates :fluents)\n",
-        NameOf(name));
+        "(define (domain {})\n  (:requirements :adl "
+        ":probabilistic-effects{}{})\n",
+        NameOf(name), HasDerived() ? " :derived-predicates" : "",
+        HasFunctions() ? " :fluents" : "");
     if (!symbols_.constants().empty()) {
       text += "  (:constants";
       for (const auto& constant : symbols_.constants()) {
@@ -72,6 +73,18 @@ class PpddlText {
   }
 
  private:
+  bool HasDerived() const {
+    return std::ranges::any_of(symbols_.all(), [](const Symbol& symbol) {
+      return symbol.kind == Symbol::Kind::kConjunction ||
+             symbol.kind == Symbol::Kind::kClosure;
+    });
+  }
+  bool HasFunctions() const {
+    return std::ranges::any_of(symbols_.all(), [](const Symbol& symbol) {
+      return symbol.kind == Symbol::Kind::kPrimitive && symbol.is_integer;
+    });
+  }
+
   std::string Declarations(const char* section, bool is_integer) const {
     std::string text;
     for (const Symbol& symbol : symbols_.all()) {

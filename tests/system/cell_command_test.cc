@@ -255,6 +255,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules compare",
                               "rules show",
                               "rules export",
+                              "rules import",
                               "eval rules",
                               "eval rexd",
                               "eval excuses",

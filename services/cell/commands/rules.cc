@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/files/draft.h"
+#include "common/rexd/ppddl_import.h"
 #include "common/rules/learning/learner.h"
 #include "common/rules/ppddl_export.h"
 #include "common/rules/rule_text.h"
@@ -26,6 +27,7 @@ struct RulesOptions {
   std::string data;
   std::string symbols;
   std::string file;
+  std::string problem;
   std::string out;
   std::string name = "learned";
   rules::LearnerOptions learner;
@@ -77,6 +79,39 @@ int ExportRules(const RulesOptions& options) {
   return 0;
 }
 
+int ImportRules(const RulesOptions& options) {
+  const rexd::PpddlText domain{TextOfFile(options.file), options.file};
+  const std::string text =
+      options.problem.empty()
+          ? rexd::RulesOfPpddl(domain)
+          : rexd::TaskOfPpddl(domain,
+                              {TextOfFile(options.problem), options.problem});
+  if (options.out.empty()) {
+    std::cout << PrintableLines(text);
+  } else {
+    WriteNewFile(options.out, text, kAnotherFile);
+  }
+  return 0;
+}
+
+void AddImport(CLI::App* rules, std::shared_ptr<RulesOptions> options,
+               Action* action) {
+  CLI::App* import = rules->add_subcommand(
+      "import",
+      "Read a PPDDL domain as rules; with a problem, as a task that REX-D can "
+      "learn (cell eval rexd --task-file).\n"
+      "Example: cell rules import domain.pddl problem.pddl --out task.rules");
+  import->add_option("domain", options->file, "PPDDL domain")->required();
+  import->add_option("problem", options->problem, "PPDDL problem");
+  import->add_option("--out", options->out, "file (default: print it)");
+  import->callback([=] {
+    *action = [=] {
+      return ImportRules(*options);
+};
+}  // namespace
+);
+}  // namespace cell::cli
+
 void AddLearn(CLI::App* rules, std::shared_ptr<RulesOptions> options,
               Action* action) {
   CLI::App* learn = rules->add_subcommand(
@@ -103,13 +138,14 @@ void AddRules(CLI::App& app, Action* action) {
   auto options = std::make_shared<RulesOptions>();
   CLI::App* rules = app.add_subcommand(
       "rules",
-      "Record experiences; learn, compare, show and export noisy deictic "
+      "Record experiences; learn, compare, show, import and export noisy deictic "
       "rules.\n"
       "Example: cell rules learn experiences --out learned.rules");
   rules->require_subcommand(1);
   AddLearn(rules, options, action);
   AddRulesRecord(*rules, action);
   AddRulesCompare(*rules, action);
+  AddImport(rules, options, action);
   CLI::App* show =
       rules->add_subcommand("show",
                             "Show the rules of a file.\n"

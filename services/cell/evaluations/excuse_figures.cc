@@ -47,19 +47,19 @@ std::vector<ExcuseFigures> SummariseExcuses(const std::vector<json>& rows) {
 }
 
 std::string ExcuseText(const std::vector<ExcuseFigures>& figures) {
-  std::string text =
-      fmt::format("{:20} {:>6} {:>8} {:>14} {:>6} {:>6} {:>8} {:>14} {:>8}\n",
-                  "damage", "states", "minimal", "holds missing", "named",
-                  "helps", "all four", "95 % interval", "largest", "in first");
+  std::string text = fmt::format(
+      "{:20} {:>6} {:>8} {:>14} {:>6} {:>6} {:>8} {:>14} {:>8} {:>9}\n",
+      "damage", "states", "minimal", "holds missing", "named", "helps",
+      "all four", "95 % interval", "largest", "in first");
   for (const ExcuseFigures& f : figures) {
     const Interval interval = WilsonInterval(f.num_good, f.num_states);
-    text +=
-        fmt::format("{:20} {:>6} {:>8} {:>14} {:>6} {:>6} {:>8} {:>14} {:>8}\n",
-                    f.damage, f.num_states, f.num_minimal, f.num_holding,
-                    f.num_named, f.num_helping, f.num_good,
-                    fmt::format("{:.1f} - {:.1f} %", 100 * interval.low,
-                                100 * interval.high),
-                    f.largest);
+    text += fmt::format(
+        "{:20} {:>6} {:>8} {:>14} {:>6} {:>6} {:>8} {:>14} {:>8} {:>9}\n",
+        f.damage, f.num_states, f.num_minimal, f.num_holding, f.num_named,
+        f.num_helping, f.num_good,
+        fmt::format("{:.1f} - {:.1f} %", 100 * interval.low,
+                    100 * interval.high),
+        f.largest, f.num_first);
   }
   const ExcuseFigures& all = figures.back();
   return text + fmt::format(
