@@ -20,9 +20,7 @@ using testing::Not;
 
 class PlannerService : public testing::Test {
  protected:
-  PlannerService() {
-    service_ = cranfield_.MakePlannerOfRules(stepper_);
-  }
+  PlannerService() { service_ = cranfield_.MakePlannerOfRules(stepper_); }
 
   template <class M>
   void Give(const std::string& channel, const M& message) {
