@@ -18,7 +18,8 @@ constexpr double kMostContradicting = 0.02;
 ConditionSearch::ConditionSearch(
     const std::vector<BoundExperience>& experiences,
     const rules::Literal& change, const std::vector<rules::Literal>& candidates,
-    const VariableTypes& types, const rules::World& world)
+    std::span<const int> landmarks, const VariableTypes& types,
+    const rules::World& world)
     : experiences_(experiences), change_(change), types_(types), world_(world) {
   FindExamples();
   if (positive_.IsEmpty()) return;
@@ -27,7 +28,10 @@ ConditionSearch::ConditionSearch(
     for (int i = 0; i < size(); ++i) {
       if (Holds(literal, examples_[static_cast<size_t>(i)])) holds.Add(i);
     }
-    literals_.push_back({literal, std::move(holds)});
+    const bool is_landmark = literal.comparison == rules::Comparison::kTrue &&
+                             types_.IsNamedBy(literal) &&
+                             std::ranges::count(landmarks, literal.symbol) > 0;
+    literals_.push_back({literal, std::move(holds), is_landmark});
   }
 }
 
@@ -35,7 +39,10 @@ std::vector<std::vector<rules::Literal>> ConditionSearch::Run() const {
   std::vector<std::vector<rules::Literal>> found;
   rules::BitSet open = positive_;
   while (IsSupported(open)) {
-    const Condition condition = Complete(Grow(open), open);
+    const Condition grown = Grow(open);
+    // What the conditions so far leave over does not extend to everything.
+    if (grown.empty() && !found.empty()) break;
+    const Condition condition = Complete(grown, open);
     if (!IsAgreed(condition, open)) break;
     found.push_back(LiteralsOf(condition));
     open -= CoveredBy(condition);
@@ -125,6 +132,9 @@ ConditionSearch::Condition ConditionSearch::Grow(
   negative -= positive_;
   rules::BitSet covered = open;
   covered |= negative;
+  if (IsAgreed(condition, open)) {
+    if (const auto landmark = BestLandmark(open)) return {*landmark};
+  }
   while (covered.Meets(negative) && condition.size() < kMostLiterals) {
     const auto best = BestLiteral(condition, covered);
     if (!best) break;
@@ -132,6 +142,22 @@ ConditionSearch::Condition ConditionSearch::Grow(
     covered &= literals_[*best].holds;
   }
   return condition;
+}
+
+/// The one that holds of most of them.
+std::optional<size_t> ConditionSearch::BestLandmark(
+    const rules::BitSet& open) const {
+  std::optional<size_t> best;
+  int most = 0;
+  for (size_t i = 0; i < literals_.size(); ++i) {
+    if (!literals_[i].is_landmark) continue;
+    rules::BitSet covered = open;
+    covered &= literals_[i].holds;
+    if (covered.Count() <= most || !IsSupported(covered)) continue;
+    most = covered.Count();
+    best = i;
+  }
+  return best;
 }
 
 std::optional<size_t> ConditionSearch::BestLiteral(
@@ -166,7 +192,9 @@ double ConditionSearch::Gain(const rules::BitSet& covered,
 /// was found by.
 ConditionSearch::Condition ConditionSearch::Complete(
     const Condition& grown, const rules::BitSet& open) const {
-  Condition condition = Prune(grown, 0);
+  const bool is_landmark =
+      !grown.empty() && literals_[grown.front()].is_landmark;
+  Condition condition = Prune(grown, is_landmark ? 1 : 0);
   rules::BitSet covered = CoveredBy(condition);
   covered &= open;
   std::vector<int> objects;
@@ -174,15 +202,21 @@ ConditionSearch::Condition ConditionSearch::Complete(
     objects.push_back(examples_[static_cast<size_t>(i)].object);
   });
   const int type = types_.CommonType(objects);
-  if (types_.IsA(types_.TypeBy(change_, LiteralsOf(condition)), type)) {
-    return condition;
-  }
+  if (types_.IsA(KnownType(condition), type)) return condition;
   for (size_t i = 0; i < literals_.size(); ++i) {
     if (!types_.Says(literals_[i].literal, type)) continue;
     condition.insert(condition.begin(), i);
-    return Prune(condition, 1);
+    return Prune(condition, is_landmark ? 2 : 1);
   }
   return condition;
+}
+
+/// The variable's type by the condition. What becomes false is false of objects
+/// of other types anyway.
+int ConditionSearch::KnownType(const Condition& condition) const {
+  const rules::Literal no_change;
+  const bool is_true = change_.comparison == rules::Comparison::kTrue;
+  return types_.TypeBy(is_true ? no_change : change_, LiteralsOf(condition));
 }
 
 /// Without literals that exclude no negative example, the latest first; the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/experiences/variable_types.h"
@@ -23,18 +24,23 @@ struct BoundExperience {
 /// are found by sequential covering (FOIL, Quinlan 1990): the literal that
 /// tells positive from negative ones best is added until no negative one is
 /// left, then those that are not needed are removed; until all positive ones
-/// are covered. A condition that too few experiences support is left out. One
-/// that was found by objects of a type is of that type: of others nothing is
-/// known.
+/// are covered. A condition that too few experiences support is left out.
+///
+/// Of other objects than those it was found by, nothing is known. So a
+/// condition is of their common type, and where no example contradicts that all
+/// objects change, it says what had been done with them: where a landmark holds
+/// of them.
 class ConditionSearch {
  public:
   /// All but the world's must outlive it.
   /// @param change  of the variable after those of the rule
   /// @param candidates  literals that conditions may have
+  /// @param landmarks   symbols that say what has been done with an object
   ConditionSearch(const std::vector<BoundExperience>& experiences,
                   const rules::Literal& change,
                   const std::vector<rules::Literal>& candidates,
-                  const VariableTypes& types, const rules::World& world);
+                  std::span<const int> landmarks, const VariableTypes& types,
+                  const rules::World& world);
 
   /// Each is a conjunction; the change happens where one of them holds.
   std::vector<std::vector<rules::Literal>> Run() const;
@@ -47,7 +53,8 @@ class ConditionSearch {
   };
   struct Candidate {
     rules::Literal literal;
-    rules::BitSet holds;  ///< examples
+    rules::BitSet holds;       ///< examples
+    bool is_landmark = false;  ///< says what has been done with the object
   };
   using Condition = std::vector<size_t>;  // literals, in order
 
@@ -60,10 +67,12 @@ class ConditionSearch {
   bool IsAgreed(const Condition& condition, const rules::BitSet& open) const;
   std::vector<rules::Literal> LiteralsOf(const Condition& condition) const;
   Condition Grow(const rules::BitSet& open) const;
+  std::optional<size_t> BestLandmark(const rules::BitSet& open) const;
   std::optional<size_t> BestLiteral(const Condition& condition,
                                     const rules::BitSet& covered) const;
   double Gain(const rules::BitSet& covered, const rules::BitSet& holds) const;
   Condition Complete(const Condition& grown, const rules::BitSet& open) const;
+  int KnownType(const Condition& condition) const;
   Condition Prune(Condition condition, size_t num_kept) const;
 
   const std::vector<BoundExperience>& experiences_;

@@ -18,11 +18,10 @@ Domain WithReferenceRules(Domain domain, const Config& file) {
     }
     action.rules = reference.rules;
     for (NdrRule& rule : action.rules) rule.agents = action.agents;
-    action.undoes.reset();
     domain.Put(action);
   }
   file.Finish();
-  CompleteActions(&domain);
+  CompleteActions({}, &domain);
   return domain;
 }
 

@@ -1,5 +1,8 @@
 #include "common/task/task.h"
 
+#include <set>
+#include <string>
+
 #include "common/actions/sec_models.h"
 #include "common/task/learned_rules.h"
 #include "common/task/task_actions.h"
@@ -22,13 +25,18 @@ std::vector<ActionModel> ReadActions(const Config& sec_config,
 }
 
 Domain LoadDomain(const Deployment& deployment, const Config& config,
-                  const PartTable& parts, LearnedRules learned_rules) {
+                  const Config& sec_config, const PartTable& parts,
+                  LearnedRules learned_rules) {
   Domain domain = Domain::FromConfig(config, parts);
   const auto file = config.GetOr<std::string>(kLearnedRulesKey, "");
   if (!file.empty() && learned_rules == LearnedRules::kRead) {
     ReadLearnedRules(deployment, config, &domain);
   }
-  CompleteActions(&domain);
+  std::set<std::string> shown;
+  for (const auto& [name, model] : sec_config["models"].Entries()) {
+    shown.insert(name);
+  }
+  CompleteActions(shown, &domain);
   return domain;
 }
 
@@ -48,7 +56,7 @@ Task LoadTask(const Deployment& deployment, LearnedRules learned_rules) {
   const CellLayout layout =
       CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
   const Domain domain =
-      LoadDomain(deployment, domain_config, parts, learned_rules);
+      LoadDomain(deployment, domain_config, sec_config, parts, learned_rules);
   Task task{parts,
             layout,
             SceneObjects(parts, layout),

@@ -81,7 +81,8 @@ class Verdict {
   std::vector<State> successes_;
 };
 
-/// "not Clear(peg)": arguments by their variables, other objects by their type.
+/// "not Clear(bolt)": arguments by their variables, other objects by their
+/// type.
 std::string Generalized(int atom, bool is_true, const GroundAction& action,
                         const RuleSet& rules) {
   const Vocabulary& vocabulary = rules.vocabulary();

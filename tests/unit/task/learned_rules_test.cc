@@ -73,20 +73,31 @@ TEST_F(LearnedRulesOfTask, OutliveAChangeOfTheTypes) {
   EXPECT_EQ(ActionOf(task, "PlaceSeparator").rules.size(), rules.size());
 }
 
-TEST_F(LearnedRulesOfTask, TellWhatUndoesWhat) {
-  const Task task = LoadTask(task_.get());
-  for (const auto& [undoing, undone] :
-       {std::pair{"RemoveRoundPeg", "PlaceRoundPeg"},
-        {"RemoveSquarePeg", "PlaceSquarePeg"},
-        {"RemoveSeparator", "PlaceSeparator"},
-        {"RemovePendulum", "PlacePendulum"},
-        {"RemoveHead", "ScrewHead"},
-        {"RemoveFacePlate", "PlaceFacePlate"}}) {
-    EXPECT_EQ(ActionOf(task, undoing).undoes, task.domain.FindAction(undone))
-        << undoing;
-    EXPECT_EQ(ActionOf(task, undone).undoes, std::nullopt) << undone;
+TEST_F(LearnedRulesOfTask, TellWhatUndoesWhatAsEventChainsDo) {
+  for (const auto learned : {LearnedRules::kRead, LearnedRules::kLeaveOut}) {
+    const Task task = LoadTask(task_.get(), learned);
+    for (const auto& [undoing, undone] :
+         {std::pair{"RemoveRoundPeg", "PlaceRoundPeg"},
+          {"RemoveSquarePeg", "PlaceSquarePeg"},
+          {"RemoveSeparator", "PlaceSeparator"},
+          {"RemovePendulum", "PlacePendulum"},
+          {"RemoveHead", "ScrewHead"},
+          {"RemoveFacePlate", "PlaceFacePlate"}}) {
+      EXPECT_EQ(ActionOf(task, undoing).undoes, task.domain.FindAction(undone))
+          << undoing;
+      EXPECT_EQ(ActionOf(task, undone).undoes, std::nullopt) << undone;
+    }
+    EXPECT_EQ(ActionOf(task, "Raise").undoes, std::nullopt);
+    EXPECT_EQ(ActionOf(task, "Present").undoes, std::nullopt);
   }
-  EXPECT_EQ(ActionOf(task, "Raise").undoes, std::nullopt);
+}
+
+TEST_F(LearnedRulesOfTask, WithoutThemAndWithoutChainsNothingIsUndone) {
+  std::ofstream(task_.get().task_dir / kSecModelsFile) << "models: {}\n";
+  const Task task = LoadTask(task_.get(), LearnedRules::kLeaveOut);
+  EXPECT_EQ(ActionOf(task, "RemoveHead").undoes, std::nullopt);
+  EXPECT_EQ(ActionOf(LoadTask(task_.get()), "RemoveHead").undoes,
+            task.domain.FindAction("ScrewHead"));
 }
 
 TEST_F(LearnedRulesOfTask, ErrorsNameTheLine) {
