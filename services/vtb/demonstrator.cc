@@ -118,8 +118,10 @@ void Demonstrator::PlanEvents() {
   for (int i = Draw(script_->unknown_moves, random_); i > 0; --i) {
     plan(EventKind::kUnknownMove, 0, std::max(0, count - 2));
   }
-  for (int i = Draw(script_->attempts, random_); i > 0; --i) {
-    plan(EventKind::kTryOut, 0, std::max(0, count - 1));
+  if (script_->attempts.high > 0) {
+    for (int i = Draw(script_->attempts, random_); i > 0; --i) {
+      plan(EventKind::kTryOut, 0, std::max(0, count - 1));
+    }
   }
   if (script_->too_early) plan(EventKind::kTooEarly, 0, count / 2);
   if (!script_->lay_outside.empty()) {
@@ -408,16 +410,14 @@ bool Demonstrator::PlaceTooEarly(World& world) {
 void Demonstrator::Explore(World& world) {
   HandActor& actor = hands_.front().actor;
   if (const auto seated = explorer_.ToTakeBack(random_)) {
-    const auto X_WO = PlaceFor(seated->part, kMinMove, world);
-    if (!X_WO) return;
-    PutOnTable(seated->part, seated->site, {nullptr, "", *X_WO});
+    PutOnTable(seated->part, seated->site, {nullptr, "", seated->X_WO});
     explorer_.TakenBack();
     return;
   }
   const auto attempt = explorer_.Next(PossibleAttempts(world), random_);
   if (!attempt) return;
   Target target{attempt->rule, attempt->site};
-  target.X_WO_else = PlaceFor(attempt->part, kMinMove, world);
+  target.X_WO_else = attempt->X_WO;
   actor.Take(attempt->part, "");
   actor.Put(attempt->part, target);
   actor.GoToRest();
@@ -443,7 +443,8 @@ std::vector<Attempt> Demonstrator::PossibleAttempts(const World& world) const {
     for (const std::string& part : FreeParts(rule.part_type, world)) {
       if (explorer_.IsSeatedByAttempt(part)) continue;
       for (const std::string& site : sites) {
-        if (!is_next(rule, site)) attempts.push_back({&rule, part, site});
+        if (is_next(rule, site)) continue;
+        attempts.push_back({&rule, part, site, world.PoseOf(part)});
       }
     }
   }

@@ -13,6 +13,7 @@
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/rules_files.h"
+#include "services/cell/commands/rules_judge.h"
 #include "services/cell/commands/rules_options.h"
 #include "services/cell/commands/rules_record.h"
 
@@ -107,6 +108,7 @@ void AddRules(CLI::App& app, Action* action) {
   rules->require_subcommand(1);
   AddLearn(rules, options, action);
   AddRulesRecord(*rules, action);
+  AddRulesJudge(*rules, action);
   CLI::App* show =
       rules->add_subcommand("show",
                             "Show the rules of a file.\n"

@@ -22,3 +22,4 @@ cell_add_test(unit/cell/action_explainer_test.cc LINK cell_cli cell_actions cell
 cell_add_test(unit/cell/sec_lessons_test.cc LINK cell_cli cell_sec cell_tracker)
     cell_add_test(unit/cell/mistakes_evaluation_test.cc LINK cell_cli)
     cell_add_test(unit/cell/task_variant_test.cc cell_cli cell_task cell_tracker)
+cell_add_test(unit/cell/sufficiency_test.cc LINK cell_cli cell_experiences cell_planner)
