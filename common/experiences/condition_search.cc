@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <utility>
 
 namespace cell {
 namespace {
 
-/// Experiences that must agree on an effect.
-constexpr size_t kLeastExperiences = 2;
 constexpr size_t kMostLiterals = 4;
-/// Share of examples that may contradict an effect: what was sensed wrongly.
-constexpr double kMostContradicting = 0.02;
+/// One experience may contradict so many others: it was sensed wrongly.
+constexpr size_t kSupportPerContradiction = 8;
 
 }  // namespace
 
@@ -35,17 +34,55 @@ ConditionSearch::ConditionSearch(
   }
 }
 
-std::vector<std::vector<rules::Literal>> ConditionSearch::Run() const {
+std::vector<std::vector<rules::Literal>> ConditionSearch::Run() {
+  std::map<Condition, std::vector<int>> objects_of;
+  for (const int type : TypesOfPositive()) {
+    within_ = rules::BitSet(size());
+    for (int i = 0; i < size(); ++i) {
+      const int object = examples_[static_cast<size_t>(i)].object;
+      if (types_.TypeOf(object) == type) within_.Add(i);
+    }
+    for (Condition& condition : FindConditions()) {
+      rules::BitSet covered = CoveredBy(condition);
+      covered &= positive_;
+      std::vector<int>& objects = objects_of[condition];
+      covered.ForEach([&](int i) {
+        objects.push_back(examples_[static_cast<size_t>(i)].object);
+      });
+    }
+  }
   std::vector<std::vector<rules::Literal>> found;
+  for (const auto& [condition, objects] : objects_of) {
+    found.push_back(LiteralsOf(WithType(condition, objects)));
+  }
+  return found;
+}
+
+std::set<int> ConditionSearch::TypesOfPositive() const {
+  std::set<int> types;
+  positive_.ForEach([&](int i) {
+    types.insert(types_.TypeOf(examples_[static_cast<size_t>(i)].object));
+  });
+  return types;
+}
+
+/// Of the examples within one type.
+std::vector<ConditionSearch::Condition> ConditionSearch::FindConditions()
+    const {
+  std::vector<Condition> found;
   rules::BitSet open = positive_;
+  open &= within_;
   while (IsSupported(open)) {
-    const Condition grown = Grow(open);
+    Condition condition = Prune(Grow(open, BestLandmark(open)));
+    if (!IsAgreed(condition, open)) {
+      condition = Prune(Grow(open, std::nullopt));
+    }
     // What the conditions so far leave over does not extend to everything.
-    if (grown.empty() && !found.empty()) break;
-    const Condition condition = Complete(grown, open);
-    if (!IsAgreed(condition, open)) break;
-    found.push_back(LiteralsOf(condition));
+    const bool is_left_over = condition.empty() && !found.empty();
+    if (is_left_over || !IsAgreed(condition, open)) break;
     open -= CoveredBy(condition);
+    std::ranges::sort(condition);
+    found.push_back(std::move(condition));
   }
   return found;
 }
@@ -92,17 +129,17 @@ bool ConditionSearch::Holds(const rules::Literal& literal,
 }
 
 rules::BitSet ConditionSearch::CoveredBy(const Condition& condition) const {
-  rules::BitSet covered(size(), true);
+  rules::BitSet covered = within_;
   for (const size_t i : condition) covered &= literals_[i].holds;
   return covered;
 }
 
-bool ConditionSearch::IsSupported(const rules::BitSet& positive) const {
+size_t ConditionSearch::NumExperiences(const rules::BitSet& examples) const {
   std::set<size_t> experiences;
-  positive.ForEach([&](int i) {
+  examples.ForEach([&](int i) {
     experiences.insert(examples_[static_cast<size_t>(i)].experience);
   });
-  return experiences.size() >= kLeastExperiences;
+  return experiences.size();
 }
 
 /// Enough experiences support it, and hardly any contradicts.
@@ -112,9 +149,9 @@ bool ConditionSearch::IsAgreed(const Condition& condition,
   rules::BitSet positive = negative;
   negative -= positive_;
   positive &= open;
-  const int number = negative.Count() + positive.Count();
   return IsSupported(positive) &&
-         negative.Count() <= kMostContradicting * number;
+         NumExperiences(negative) * kSupportPerContradiction <=
+             NumExperiences(positive);
 }
 
 std::vector<rules::Literal> ConditionSearch::LiteralsOf(
@@ -124,19 +161,24 @@ std::vector<rules::Literal> ConditionSearch::LiteralsOf(
   return literals;
 }
 
-/// Adds the literal that gains most information, one after the other.
+/// From a landmark on, if there is one: adds the literal that gains most
+/// information, one after the other.
 ConditionSearch::Condition ConditionSearch::Grow(
-    const rules::BitSet& open) const {
+    const rules::BitSet& open, std::optional<size_t> landmark) const {
   Condition condition;
-  rules::BitSet negative(size(), true);
+  rules::BitSet negative = within_;
   negative -= positive_;
   rules::BitSet covered = open;
   covered |= negative;
-  if (IsAgreed(condition, open)) {
-    if (const auto landmark = BestLandmark(open)) return {*landmark};
+  if (landmark) {
+    condition.push_back(*landmark);
+    covered &= literals_[*landmark].holds;
   }
+  // What contradicts an agreed condition may have been sensed wrongly: then
+  // only the object itself can explain it.
   while (covered.Meets(negative) && condition.size() < kMostLiterals) {
-    const auto best = BestLiteral(condition, covered);
+    const auto best =
+        BestLiteral(condition, covered, IsAgreed(condition, open));
     if (!best) break;
     condition.push_back(*best);
     covered &= literals_[*best].holds;
@@ -160,11 +202,13 @@ std::optional<size_t> ConditionSearch::BestLandmark(
   return best;
 }
 
-std::optional<size_t> ConditionSearch::BestLiteral(
-    const Condition& condition, const rules::BitSet& covered) const {
+std::optional<size_t> ConditionSearch::BestLiteral(const Condition& condition,
+                                                   const rules::BitSet& covered,
+                                                   bool is_of_object) const {
   std::optional<size_t> best;
   double best_gain = 1e-9;
   for (size_t i = 0; i < literals_.size(); ++i) {
+    if (is_of_object && !types_.IsNamedBy(literals_[i].literal)) continue;
     const double gain = Gain(covered, literals_[i].holds);
     if (gain <= best_gain) continue;
     Condition longer = condition;
@@ -188,25 +232,15 @@ double ConditionSearch::Gain(const rules::BitSet& covered,
                      std::log(before / covered.Count()));
 }
 
-/// Without what is not needed, and with the common type of the objects that it
-/// was found by.
-ConditionSearch::Condition ConditionSearch::Complete(
-    const Condition& grown, const rules::BitSet& open) const {
-  const bool is_landmark =
-      !grown.empty() && literals_[grown.front()].is_landmark;
-  Condition condition = Prune(grown, is_landmark ? 1 : 0);
-  rules::BitSet covered = CoveredBy(condition);
-  covered &= open;
-  std::vector<int> objects;
-  covered.ForEach([&](int i) {
-    objects.push_back(examples_[static_cast<size_t>(i)].object);
-  });
+/// With the common type of the objects that it was found by.
+ConditionSearch::Condition ConditionSearch::WithType(
+    Condition condition, const std::vector<int>& objects) const {
   const int type = types_.CommonType(objects);
   if (types_.IsA(KnownType(condition), type)) return condition;
   for (size_t i = 0; i < literals_.size(); ++i) {
     if (!types_.Says(literals_[i].literal, type)) continue;
     condition.insert(condition.begin(), i);
-    return Prune(condition, is_landmark ? 2 : 1);
+    break;
   }
   return condition;
 }
@@ -219,10 +253,12 @@ int ConditionSearch::KnownType(const Condition& condition) const {
   return types_.TypeBy(is_true ? no_change : change_, LiteralsOf(condition));
 }
 
-/// Without literals that exclude no negative example, the latest first; the
-/// first `num_kept` stay.
-ConditionSearch::Condition ConditionSearch::Prune(Condition condition,
-                                                  size_t num_kept) const {
+/// Without literals that exclude no negative example, the latest first. A
+/// landmark that it begins with stays.
+ConditionSearch::Condition ConditionSearch::Prune(Condition condition) const {
+  const bool is_landmark =
+      !condition.empty() && literals_[condition.front()].is_landmark;
+  const size_t num_kept = is_landmark ? 1 : 0;
   const auto num_negative = [&](const Condition& c) {
     rules::BitSet covered = CoveredBy(c);
     covered -= positive_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -26,10 +27,10 @@ struct BoundExperience {
 /// left, then those that are not needed are removed; until all positive ones
 /// are covered. A condition that too few experiences support is left out.
 ///
-/// Of other objects than those it was found by, nothing is known. So a
-/// condition is of their common type, and where no example contradicts that all
-/// objects change, it says what had been done with them: where a landmark holds
-/// of them.
+/// Of other objects than those it was found by, nothing is known. So conditions
+/// are looked for in the objects of one type at a time; equal ones become one
+/// of the common type. And a condition begins with a landmark, which says what
+/// had been done with them, where that leads to one that examples agree on.
 class ConditionSearch {
  public:
   /// All but the world's must outlive it.
@@ -43,7 +44,7 @@ class ConditionSearch {
                   const rules::World& world);
 
   /// Each is a conjunction; the change happens where one of them holds.
-  std::vector<std::vector<rules::Literal>> Run() const;
+  std::vector<std::vector<rules::Literal>> Run();
 
  private:
   struct Example {
@@ -58,22 +59,33 @@ class ConditionSearch {
   };
   using Condition = std::vector<size_t>;  // literals, in order
 
+  /// Experiences that must agree on an effect.
+  static constexpr size_t kLeastExperiences = 2;
+
   int size() const { return static_cast<int>(examples_.size()); }
   void FindExamples();
+  std::set<int> TypesOfPositive() const;
+  std::vector<Condition> FindConditions() const;
   int PlaceFor(const BoundExperience& bound, int object) const;
   bool Holds(const rules::Literal& literal, const Example& example) const;
   rules::BitSet CoveredBy(const Condition& condition) const;
-  bool IsSupported(const rules::BitSet& positive) const;
+  size_t NumExperiences(const rules::BitSet& examples) const;
+  bool IsSupported(const rules::BitSet& positive) const {
+    return NumExperiences(positive) >= kLeastExperiences;
+  }
   bool IsAgreed(const Condition& condition, const rules::BitSet& open) const;
   std::vector<rules::Literal> LiteralsOf(const Condition& condition) const;
-  Condition Grow(const rules::BitSet& open) const;
+  Condition Grow(const rules::BitSet& open,
+                 std::optional<size_t> landmark) const;
   std::optional<size_t> BestLandmark(const rules::BitSet& open) const;
   std::optional<size_t> BestLiteral(const Condition& condition,
-                                    const rules::BitSet& covered) const;
+                                    const rules::BitSet& covered,
+                                    bool is_of_object) const;
   double Gain(const rules::BitSet& covered, const rules::BitSet& holds) const;
-  Condition Complete(const Condition& grown, const rules::BitSet& open) const;
+  Condition WithType(Condition condition,
+                     const std::vector<int>& objects) const;
   int KnownType(const Condition& condition) const;
-  Condition Prune(Condition condition, size_t num_kept) const;
+  Condition Prune(Condition condition) const;
 
   const std::vector<BoundExperience>& experiences_;
   const rules::Literal& change_;
@@ -81,6 +93,7 @@ class ConditionSearch {
   const rules::World& world_;
   std::vector<Example> examples_;
   rules::BitSet positive_;
+  rules::BitSet within_;  // of the type that is looked at
   std::vector<Candidate> literals_;
 };
 

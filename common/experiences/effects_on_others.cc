@@ -93,8 +93,8 @@ void AddEffectsOnOthers(std::span<const rules::Experience> experiences,
     if (outcome.changes.empty()) continue;
     const auto explained = ExplainedBy(outcome, *rule, experiences, world);
     for (const rules::Literal& change : PossibleChanges(*rule, world)) {
-      const ConditionSearch search(explained, change, candidates, landmarks,
-                                   types, *world.world());
+      ConditionSearch search(explained, change, candidates, landmarks, types,
+                             *world.world());
       for (auto& where : search.Run()) {
         outcome.each.push_back({variable, std::move(where), change});
       }

@@ -90,6 +90,7 @@ std::optional<rules::Experience> ExperienceTracer::Of(
     }
   }
   if (before == nullptr || after == nullptr) return std::nullopt;
+  if (!failure.is_sensed_afterwards) after = before;
   return world_.ToExperience(before->state, failure.action, after->state);
 }
 

@@ -35,8 +35,9 @@ class ExperienceTracer {
   void Failed(const GroundAction& action, int64_t begin_utime,
               int64_t end_utime);
 
-  /// An action that a person tried in vain from `begin_utime` to `end_utime`
-  /// [us]: the state after it is the last one that was sensed by then.
+  /// An action that a person tried from `begin_utime` to `end_utime` [us], and
+  /// says that it changed nothing: the state is the last one that was sensed
+  /// before it, if there was sensing meanwhile.
   void Attempted(const GroundAction& action, int64_t begin_utime,
                  int64_t end_utime);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -15,9 +17,11 @@ namespace {
 using rules::Comparison;
 using rules::Experience;
 
-/// Of those that hold as often as not, none of a hundred literals is likely to
-/// hold before each of so many successes by accident.
-constexpr size_t kMinSuccesses = 12;
+/// One in so many is taken for sensed wrongly.
+constexpr std::ptrdiff_t kSuccessesPerException = 20;
+/// Of an action with so many experiences, one or two alone make no rule.
+constexpr int kManyExperiences = 40;
+constexpr int kFewExperiences = 2;
 
 std::vector<rules::Term> TermsOf(const rules::Rule& rule,
                                  const rules::World& world) {
@@ -75,6 +79,23 @@ bool IsTelling(const rules::Literal& literal,
              !rules::Holds(literal, binding, e.after, world);
     });
   });
+}
+
+/// Without rules of few experiences among many of the action.
+void DropRare(std::vector<int>* counts, rules::NdrRules* rules) {
+  std::map<int, int> of_action;
+  for (size_t i = 0; i < counts->size(); ++i) {
+    of_action[rules->rules[i].action] += (*counts)[i];
+  }
+  for (size_t i = counts->size(); i-- > 0;) {
+    if ((*counts)[i] > kFewExperiences ||
+        of_action[rules->rules[i].action] < kManyExperiences) {
+      continue;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    rules->rules.erase(rules->rules.begin() + at);
+    counts->erase(counts->begin() + at);
+  }
 }
 
 void MakeUnsure(const std::vector<int>& counts, rules::NdrRules* rules) {
@@ -141,7 +162,7 @@ rules::Experience Reversed(const rules::Experience& experience, int action) {
 
 void Specialize(std::span<const rules::Experience> experiences,
                 std::span<const int> landmarks, const rules::World& world,
-                rules::Rule* rule) {
+                rules::Rule* rule, int num_for_others) {
   std::vector<const Experience*> successes;
   for (const Experience& e : experiences) {
     if (e.act.action == rule->action && e.before != e.after &&
@@ -154,17 +175,20 @@ void Specialize(std::span<const rules::Experience> experiences,
   std::vector<rules::Literal> shared;
   ForEachLiteral(
       TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
-        if (!NamesAnArgument(literal) && successes.size() < kMinSuccesses) {
+        if (!NamesAnArgument(literal) &&
+            std::ssize(successes) < num_for_others) {
           return;
         }
         if (NamesNothing(literal) &&
             std::ranges::count(landmarks, literal.symbol) == 0) {
           return;
         }
-        const bool is_shared =
-            std::ranges::all_of(successes, [&](const Experience* e) {
-              return rules::Holds(literal, e->act.arguments, e->before, world);
+        const auto num_exceptions =
+            std::ranges::count_if(successes, [&](const Experience* e) {
+              return !rules::Holds(literal, e->act.arguments, e->before, world);
             });
+        const bool is_shared =
+            num_exceptions * kSuccessesPerException <= std::ssize(successes);
         if (is_shared && IsTelling(literal, bindings, experiences, world)) {
           shared.push_back(literal);
         }
@@ -194,7 +218,7 @@ std::vector<int> GoalPredicates(std::span<const Goal> goals) {
 
 rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
                            std::span<const int> goal_predicates,
-                           const RuleWorld& world) {
+                           const RuleWorld& world, int num_for_others) {
   const std::vector<Experience> all = WithReversed(experiences, world);
   std::vector<Experience> own;
   for (const Experience& e : all) own.push_back(OwnChanges(e, world));
@@ -207,9 +231,11 @@ rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
     landmarks.push_back(*world.world()->symbols().Find(
         world.vocabulary().predicates()[static_cast<size_t>(predicate)].name));
   }
-  MakeUnsure(learner.RuleCounts(), &rules);
+  std::vector<int> counts = learner.RuleCounts();
+  DropRare(&counts, &rules);
+  MakeUnsure(counts, &rules);
   for (rules::Rule& rule : rules.rules) {
-    Specialize(own, landmarks, *world.world(), &rule);
+    Specialize(own, landmarks, *world.world(), &rule, num_for_others);
     AddEffectsOnOthers(all, landmarks, world, &rule);
   }
   return rules;

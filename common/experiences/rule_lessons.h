@@ -19,19 +19,25 @@ rules::Experience OwnChanges(const rules::Experience& experience,
 /// what was after that one is before this one.
 rules::Experience Reversed(const rules::Experience& experience, int action);
 
+/// Of those that hold as often as not, none of a hundred literals is likely to
+/// hold before each of so many successes by accident.
+inline constexpr int kManySuccesses = 12;
+
 /// Makes the rule as special as the experiences that it covers and in which it
-/// changed something: adds the literals that held before each of them, and that
-/// do not hold always. A few experiences make a rule that is safe, and each
-/// further one can only make it more general. So that no accident of how the
-/// other parts lie becomes a condition, literals that name no argument of the
-/// action are added to rules with many successes only, and those that name no
-/// object at all (only `_`) are of `landmarks` only.
+/// changed something: adds the literals that held before each of them (one in
+/// twenty may have been sensed wrongly), and that do not hold always. A few
+/// experiences make a rule that is safe, and each further one can only make it
+/// more general. So that no accident of how the other parts lie becomes a
+/// condition, literals that name no argument of the action are added to rules
+/// with many successes only, and those that name no object at all (only `_`)
+/// are of `landmarks` only.
 /// @param rule  covers at least one of them
 /// @param experiences  all that there are, of any action
 /// @param landmarks  symbols
+/// @param num_for_others  successes that literals without an argument need
 void Specialize(std::span<const rules::Experience> experiences,
                 std::span<const int> landmarks, const rules::World& world,
-                rules::Rule* rule);
+                rules::Rule* rule, int num_for_others = kManySuccesses);
 
 /// The predicates that the goals name, ascending.
 std::vector<int> GoalPredicates(std::span<const Goal> goals);
@@ -42,9 +48,13 @@ std::vector<int> GoalPredicates(std::span<const Goal> goals);
 /// the reversed experiences of the one that it undoes. The probabilities are
 /// those after one more experience of each rule that is noise (rule of
 /// succession): no rule is sure.
+/// Of an action with many experiences, one or two make no rule.
 /// @param goal_predicates  of the vocabulary: the landmarks of Specialize()
+/// @param num_for_others   of Specialize(); 1: what was never shown otherwise
+/// is not relied on
 rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
                            std::span<const int> goal_predicates,
-                           const RuleWorld& world);
+                           const RuleWorld& world,
+                           int num_for_others = kManySuccesses);
 
 }  // namespace cell

@@ -8,6 +8,11 @@ bool VariableTypes::IsObjectOf(int object, int type) const {
   return world_.vocabulary().IsOf(world_.ObjectOf(object), type);
 }
 
+int VariableTypes::TypeOf(int object) const {
+  const auto index = static_cast<size_t>(world_.ObjectOf(object));
+  return world_.vocabulary().objects()[index].type;
+}
+
 int VariableTypes::CommonType(const std::vector<int>& objects) const {
   int common = TypeHierarchy::kObject;
   for (int type = 0; type < hierarchy().size(); ++type) {

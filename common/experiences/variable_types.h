@@ -14,6 +14,8 @@ class VariableTypes {
       : world_(world), variable_(variable) {}
 
   bool IsObjectOf(int object, int type) const;
+  /// The object's own type.
+  int TypeOf(int object) const;
   bool IsA(int type, int ancestor) const {
     return hierarchy().IsA(type, ancestor);
   }

@@ -410,16 +410,14 @@ bool Demonstrator::PlaceTooEarly(World& world) {
 void Demonstrator::Explore(World& world) {
   HandActor& actor = hands_.front().actor;
   if (const auto seated = explorer_.ToTakeBack(random_)) {
-    const auto X_WO = PlaceFor(seated->part, kMinMove, world);
-    if (!X_WO) return;
-    PutOnTable(seated->part, seated->site, {nullptr, "", *X_WO});
+    PutOnTable(seated->part, seated->site, {nullptr, "", seated->X_WO});
     explorer_.TakenBack();
     return;
   }
   const auto attempt = explorer_.Next(PossibleAttempts(world), random_);
   if (!attempt) return;
   Target target{attempt->rule, attempt->site};
-  target.X_WO_else = PlaceFor(attempt->part, kMinMove, world);
+  target.X_WO_else = attempt->X_WO;
   actor.PickUp(attempt->part, "");
   actor.Place(attempt->part, target);
   actor.GoToRest();
@@ -445,7 +443,8 @@ std::vector<Attempt> Demonstrator::PossibleAttempts(const World& world) const {
     for (const std::string& part : FreeParts(rule.part_type, world)) {
       if (explorer_.IsSeatedByAttempt(part)) continue;
       for (const std::string& site : sites) {
-        if (!is_next(rule, site)) attempts.push_back({&rule, part, site});
+        if (is_next(rule, site)) continue;
+        attempts.push_back({&rule, part, site, world.PoseOf(part)});
       }
     }
   }

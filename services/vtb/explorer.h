@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <random>
 #include <string>
@@ -15,6 +16,8 @@ struct Attempt {
   const PlacementRule* rule = nullptr;
   std::string part;
   std::string site;
+  /// Where the part lay before, and where it is put back.
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
 };
 
 /// What a person says of an attempt at which the part did not seat.

@@ -15,6 +15,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/rules_compare.h"
 #include "services/cell/commands/rules_files.h"
+#include "services/cell/commands/rules_judge.h"
 #include "services/cell/commands/rules_options.h"
 #include "services/cell/commands/rules_record.h"
 
@@ -146,6 +147,7 @@ void AddRules(CLI::App& app, Action* action) {
   AddRulesRecord(*rules, action);
   AddRulesCompare(*rules, action);
   AddImport(rules, options, action);
+  AddRulesJudge(*rules, action);
   CLI::App* show =
       rules->add_subcommand("show",
                             "Show the rules of a file.\n"

@@ -7,6 +7,7 @@
 #include "services/cell/evaluations/one_showing_evaluation.h"
 #include "services/cell/evaluations/stops_evaluation.h"
 #include "services/cell/evaluations/substitution_evaluation.h"
+#include "services/cell/evaluations/sufficient_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
 namespace cell::cli {
@@ -41,6 +42,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeKeyframesEvaluation());
   all.push_back(MakeSubstitutionEvaluation());
   all.push_back(MakeOneShowingEvaluation());
+  all.push_back(MakeSufficientEvaluation());
   return all;
 }
 

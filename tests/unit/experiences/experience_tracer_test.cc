@@ -55,12 +55,12 @@ TEST_F(ExperienceTracerTest, TurnsTheReverseAround) {
   EXPECT_EQ(experiences[0], task_.world.ToExperience(third_, shaft_, second_));
 }
 
-TEST_F(ExperienceTracerTest, AnAttemptIsOneUpToWhatWasSensedByItsEnd) {
+TEST_F(ExperienceTracerTest, AnAttemptChangesNothing) {
   tracer_.Attempted(shaft_, 10, 30);
   tracer_.Attempted(shaft_, 21, 49);  // nothing was sensed meanwhile
   const auto experiences = tracer_.Experiences();
   ASSERT_EQ(experiences.size(), 1U);
-  EXPECT_EQ(experiences[0], task_.world.ToExperience(first_, shaft_, second_));
+  EXPECT_EQ(experiences[0], task_.world.ToExperience(first_, shaft_, first_));
 }
 
 TEST_F(ExperienceTracerTest, AFailedSkillIsOneFromRequestToResult) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,16 @@ class RandomRules {
       if (static_cast<int>(change.terms.size()) ==
           world_.symbols()[change.symbol].arity) {
         outcome.changes.push_back(change);
+      }
+    }
+    if (Below(2) == 0) {
+      const rules::Literal change = AnyLiteral(variables + 1);
+      const bool is_ground =
+          std::ranges::none_of(change.terms, [](const rules::Term& t) {
+            return t.kind == rules::Term::Kind::kAny;
+          });
+      if (is_ground) {
+        outcome.each.push_back({"P", {AnyLiteral(variables + 1)}, change});
       }
     }
     rule.outcomes = {outcome};
@@ -124,7 +135,8 @@ TEST(RuleConversion, AConvertedRuleMeansTheSame) {
   std::mt19937_64 random(8);
   int num_converted = 0;
   int num_covered = 0;
-  for (int i = 0; i < 6000; ++i) {
+  int num_with_each = 0;
+  for (int i = 0; i < 40000; ++i) {
     const rules::Rule rule = random_rules.Next();
     const auto converted = ToNdrRule(rule, task.world);
     if (!converted) continue;
@@ -146,6 +158,7 @@ TEST(RuleConversion, AConvertedRuleMeansTheSame) {
           << world.Show(act.action, act.arguments);
       if (!bound) continue;
       ++num_covered;
+      num_with_each += rule.outcomes[0].each.empty() ? 0 : 1;
       EXPECT_EQ(Apply(converted->outcomes[0], applicable[0].binding, state,
                       task.domain->vocabulary()),
                 task.world.FromWorld(
@@ -155,6 +168,7 @@ TEST(RuleConversion, AConvertedRuleMeansTheSame) {
   }
   EXPECT_GT(num_converted, 150);
   EXPECT_GT(num_covered, 100);
+  EXPECT_GT(num_with_each, 20);
 }
 
 TEST(RuleConversion, ReferencesGetTheTypeThatTheirLiteralsGiveThem) {

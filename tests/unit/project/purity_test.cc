@@ -46,13 +46,14 @@ const std::set<std::string> kAdapters = {
     "services/cell/commands/types.cc",         // writes texts of types
     "services/cell/evaluations/job_pool.cc",   // processes of an evaluation
     "services/cell/evaluations/row_store.cc",  // rows of an evaluation
-    "services/cell/evaluations/sec_recordings.cc",  // reads tables
-    "services/cell/logs/stock_reader.cc",           // runs LCM's own reader
-    "services/cell/running/demo_registry.cc",       // demos that run
-    "services/cell/running/process_output.cc",      // what the processes said
-    "services/cell/running/process_group.cc",  // processes of a demonstration
-    "services/cell/running/progress.cc",       // the wall clock for the person
-    "services/cell/running/progress.h",        //
+    "services/cell/evaluations/sec_recordings.cc",     // reads tables
+    "services/cell/learning/experienced_episodes.cc",  // reads experiences
+    "services/cell/logs/stock_reader.cc",              // runs LCM's own reader
+    "services/cell/running/demo_registry.cc",          // demos that run
+    "services/cell/running/process_output.cc",  // what the processes said
+    "services/cell/running/process_group.cc",   // processes of a demonstration
+    "services/cell/running/progress.cc",        // the wall clock for the person
+    "services/cell/running/progress.h",         //
     "services/cell/running/unit_environment.cc",  // what units start with
     "services/library/content_file.cc",           // what a library held
     "services/library/library_copy.cc",           // one that cannot be written

@@ -1,0 +1,74 @@
+#include "services/cell/learning/experienced_episodes.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "common/experiences/experience_text.h"
+
+namespace cell::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kEnding[] = ".experiences";
+
+std::vector<fs::path> FilesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == kEnding) files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Reads the lines below one heading. The lines before it are empty, so that
+/// errors name the line of the file.
+void AddEpisode(const std::string& name, const std::string& text,
+                const fs::path& file, const RuleWorld& world,
+                std::vector<ExperiencedEpisode>* episodes) {
+  auto experiences = ReadExperiences(text, file.string(), world);
+  if (!experiences.empty()) {
+    episodes->push_back({name, std::move(experiences)});
+  }
+}
+
+void AddEpisodes(const fs::path& file, const RuleWorld& world,
+                 std::vector<ExperiencedEpisode>* episodes) {
+  std::ifstream stream(file);
+  std::string name = file.filename().string();
+  std::string text;
+  std::string above;
+  for (std::string line; std::getline(stream, line); above += "\n") {
+    if (!line.starts_with("# ")) {
+      text += line + "\n";
+      continue;
+    }
+    AddEpisode(name, text, file, world, episodes);
+    name = line.substr(2);
+    text = above + "\n";
+  }
+  AddEpisode(name, text, file, world, episodes);
+}
+
+}  // namespace
+
+std::vector<ExperiencedEpisode> EpisodesIn(const fs::path& folder,
+                                           const RuleWorld& world) {
+  std::vector<ExperiencedEpisode> episodes;
+  for (const fs::path& file : FilesIn(folder)) {
+    AddEpisodes(file, world, &episodes);
+  }
+  if (episodes.empty()) {
+    throw std::runtime_error(folder.string() + ": has no experiences (*" +
+                             kEnding + "); cell rules record makes them");
+  }
+  return episodes;
+}
+
+}  // namespace cell::cli
