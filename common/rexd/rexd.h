@@ -4,6 +4,7 @@
 #include <set>
 
 #include "common/planning/planner.h"
+#include "common/rexd/dangerous_acts.h"
 #include "common/rexd/guidance.h"
 #include "common/rexd/rule_model.h"
 #include "common/rules/learning/learner.h"
@@ -55,14 +56,14 @@ class RexD {
   /// @param is_demonstrated  whether the teacher did it
   void Observe(const rules::Experience& experience,
                bool is_demonstrated = false);
-  /// The goal cannot be reached from here. The excuse of the state points at
-  /// the experience that led here: from now on, no action is done that would
-  /// leave no way to the goal if the same happened again.
+  /// The goal cannot be reached from the state of the last experience. From now
+  /// on, no action is done by itself that may lead to what looks like it.
   void RememberDeadEnd();
 
   const rules::NdrRules& rules() const { return rules_; }
   const std::vector<int>& rule_counts() const { return counts_; }
   const rules::Learner& learner() const { return learner_; }
+  const DeadEndMemory& dead_ends() const { return dangers_.dead_ends(); }
   /// The rules as they are, with all actions that were seen.
   std::shared_ptr<RuleModel> Model() const;
   /// The first action of the best plan by the rules as they are; nullopt if
@@ -70,31 +71,13 @@ class RexD {
   std::optional<rules::GroundAct> Plan(const rules::WorldState& state);
 
  private:
-  struct DeadEnd {
-    rules::Experience cause;
-    /// It changed something as no other experience had: what the rules expect
-    /// afterwards says nothing.
-    bool is_unheard_of = false;
-  };
-
   planning::Planner::Params PlannerParams() const;
   std::optional<rules::GroundAct> PlanBy(const rules::NdrRules& rules,
                                          const RexdTask& task,
                                          const rules::WorldState& state) const;
-  bool HasWayOn(const rules::WorldState& state) const;
   /// The first action of a plan by a rule alternative, or for the subgoals.
   std::optional<rules::GroundAct> DoWithoutPlan(const rules::WorldState& state,
                                                 const Guidance& guidance);
-  /// The last experience that undid what is needed now.
-  const rules::Experience& CauseOfDeadEnd() const;
-  /// What the experience has changed, done to a state with the objects of
-  /// another action.
-  rules::WorldState Transfer(const rules::Experience& experience,
-                             const rules::GroundAct& act,
-                             rules::WorldState state) const;
-  bool IsUnheardOf(const rules::Experience& experience) const;
-  bool IsDangerous(const rules::GroundAct& act,
-                   const rules::WorldState& state) const;
   std::optional<rules::GroundAct> LeastTried(const rules::WorldState& state);
   bool HasFailedTooOften(const rules::GroundAct& act,
                          const rules::WorldState& state) const;
@@ -120,7 +103,7 @@ class RexD {
   double p_at_first_ = 0;  // that it would change anything, at the first
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
-  std::vector<DeadEnd> dead_ends_;
+  DangerousActs dangers_;
   int num_alternatives_ = 0;  // tried since the last demonstration
 };
 

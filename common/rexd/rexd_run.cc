@@ -1,5 +1,7 @@
 #include "common/rexd/rexd_run.h"
 
+#include <utility>
+
 namespace cell::rexd {
 
 using namespace rules;
@@ -18,6 +20,7 @@ class RexdRun {
 
   EpisodeCounts Episode() {
     EpisodeCounts counts;
+    course_.clear();
     WorldState state = task_.initial;
     while (counts.num_actions < params_.max_actions) {
       if (task_.IsGoal(state)) {
@@ -27,6 +30,7 @@ class RexdRun {
       if (!Step(&state, &counts)) break;
     }
     counts.is_goal_reached |= task_.IsGoal(state);
+    if (!counts.is_goal_reached) FindFall(&counts);
     return counts;
   }
 
@@ -60,9 +64,24 @@ class RexdRun {
       counts->num_explorations += decision.kind == Decision::Kind::kExplore;
     }
     ++counts->num_actions;
+    course_.emplace_back(experience, decision.kind == Decision::Kind::kAsk);
     learner_.Observe(experience, decision.kind == Decision::Kind::kAsk);
     *state = experience.after;
     return true;
+  }
+
+  /// The first action of the episode after which there is no way to the goal.
+  void FindFall(EpisodeCounts* counts) {
+    for (const auto& [experience, is_demonstrated] : course_) {
+      if (teacher_.DistanceFrom(experience.after)) continue;
+      const auto coverage = FindCoverage(world_rules_, experience.act,
+                                         experience.before, *task_.world);
+      if (!coverage) return;
+      counts->fatal_rule =
+          static_cast<int>(coverage->rule - world_rules_.rules.data());
+      counts->is_fall_demonstrated = is_demonstrated;
+      return;
+    }
   }
 
   const RexdTask& task_;
@@ -71,6 +90,7 @@ class RexdRun {
   RandomNumbers random_;
   PlanningTeacher teacher_;
   RexD learner_;
+  std::vector<std::pair<Experience, bool>> course_;  // is it demonstrated
 };
 
 }  // namespace

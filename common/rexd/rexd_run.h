@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "common/rexd/frozen_score.h"
@@ -16,6 +17,10 @@ struct EpisodeCounts {
   int num_explorations = 0;
   bool is_goal_reached = false;
   bool is_dead_end = false;  ///< ended where the goal cannot be reached
+  /// The true rule of the action that led from a state with a way to the goal
+  /// to one without, an index of RexdTask::truth: the kind of the dead end.
+  std::optional<int> fatal_rule;
+  bool is_fall_demonstrated = false;  ///< the teacher did that action
 };
 
 struct RunParams {

@@ -8,8 +8,11 @@ namespace cell::rexd {
 using namespace rules;
 
 RuleModel::RuleModel(NdrRules rules, const RexdTask& task,
-                     std::vector<GroundAct> acts)
-    : rules_(std::move(rules)), task_(task), acts_(std::move(acts)) {
+                     std::vector<GroundAct> acts, IsForbidden is_forbidden)
+    : rules_(std::move(rules)),
+      task_(task),
+      acts_(std::move(acts)),
+      is_forbidden_(std::move(is_forbidden)) {
   FindRelevant();
   FindAchievable();
 }
@@ -49,6 +52,7 @@ void RuleModel::Expand(planning::Bits words,
   for (size_t i = 0; i < acts_.size(); ++i) {
     const auto coverage = FindCoverage(rules_, acts_[i], state, *task_.world);
     if (!coverage) continue;
+    if (is_forbidden_ && is_forbidden_(acts_[i], state)) continue;
     double rest = 1;
     bool has_begun = false;
     for (const Outcome& outcome : coverage->rule->outcomes) {
@@ -68,7 +72,7 @@ void RuleModel::Expand(planning::Bits words,
 
 void RuleModel::FindRelevant() {
   const World& world = *task_.world;
-  relevant_.assign(task_.initial.bits.size(), 0);
+  relevant_.assign(task_.initial.bits.size(), is_forbidden_ ? ~uint64_t{0} : 0);
   std::set<int> symbols;
   const auto add = [&](const std::vector<Literal>& literals) {
     for (const Literal& literal : literals) symbols.insert(literal.symbol);

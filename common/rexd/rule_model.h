@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <vector>
@@ -13,9 +14,13 @@ namespace cell::rexd {
 /// several rules, cover change nothing; nor does noise.
 class RuleModel final : public planning::Model {
  public:
+  using IsForbidden =
+      std::function<bool(const rules::GroundAct&, const rules::WorldState&)>;
+
   /// @param acts  the actions that may be used
+  /// @param is_forbidden  in which states they may not; empty: in none
   RuleModel(rules::NdrRules rules, const RexdTask& task,
-            std::vector<rules::GroundAct> acts);
+            std::vector<rules::GroundAct> acts, IsForbidden is_forbidden = {});
 
   const std::vector<rules::GroundAct>& acts() const { return acts_; }
   std::vector<uint64_t> Pack(const rules::WorldState& state) const;
@@ -25,7 +30,8 @@ class RuleModel final : public planning::Model {
   void Expand(planning::Bits state,
               planning::Expansion* expansion) const override;
   std::string ActionName(int action) const override;
-  /// Clears atoms that neither the goal nor any condition asks for. A state
+  /// Clears atoms that neither the goal nor any condition asks for, unless
+  /// actions may be forbidden because of them. A state
   /// is a dead end if no rule brings about something that the goal lacks.
   planning::Estimate Assess(std::span<uint64_t> state) const override;
 
@@ -44,6 +50,7 @@ class RuleModel final : public planning::Model {
   rules::NdrRules rules_;
   const RexdTask& task_;
   std::vector<rules::GroundAct> acts_;
+  IsForbidden is_forbidden_;
   std::vector<uint64_t> relevant_;  // bits of a state
   /// Ground atoms that a rule makes true, or false: 2 * place + truth.
   std::set<int> achievable_;

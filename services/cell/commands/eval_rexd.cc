@@ -82,6 +82,8 @@ json RunTrial(const rexd::RexdTask& task, const EvalRexdOptions& options,
     row["explorations"].push_back(counts.num_explorations);
     row["reached"].push_back(counts.is_goal_reached ? 1 : 0);
     row["dead_ends"].push_back(counts.is_dead_end ? 1 : 0);
+    row["fatal_rules"].push_back(counts.fatal_rule.value_or(-1));
+    row["shown_falls"].push_back(counts.is_fall_demonstrated ? 1 : 0);
   }
   row["states"] = frozen.num_states;
   row["valid"] = frozen.num_valid;
@@ -187,7 +189,12 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
       "success rates: actions, demonstrations and explorations in each episode "
       "(Fig. 17), how good the learned rules are, and whether what the paper "
       "says of the figure is true. Demonstrations and explorations count as "
-      "actions.\n"
+      "actions. Where actions may lead to a dead end: how often the robot's "
+      "did "
+      "so again. The same kind of dead end is one entered by the same action "
+      "under the same relevant conditions (one true rule), whatever its "
+      "objects "
+      "and outcome; the first one of another kind is no repetition.\n"
       "Example: cell eval rexd --runs 300 --csv rexd.csv");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "services/cell/scoring/interval.h"
 
@@ -71,23 +72,43 @@ std::string FrozenText(const RexdGroup& group) {
       100.0 * num_valid / num_states, num_valid, num_states);
 }
 
+/// Falls of the robot in one run; of the teacher's nothing can be learned that
+/// the robot should do otherwise.
+struct Falls {
+  std::set<int> kinds;  ///< true rules of the actions that led to a dead end
+  bool is_repeated = false;  ///< by a rule that had led to one before
+};
+
+Falls FallsOf(const json& row) {
+  Falls falls;
+  const auto rules = row.value("fatal_rules", std::vector<int>());
+  const auto is_shown = row.value("shown_falls", std::vector<int>());
+  for (size_t i = 0; i < rules.size(); ++i) {
+    if (rules[i] < 0 || is_shown.at(i) != 0) continue;
+    falls.is_repeated |= !falls.kinds.insert(rules[i]).second;
+  }
+  return falls;
+}
+
 std::string DeadEndsText(const RexdGroup& group) {
   int num_fallen = 0;
-  int num_again = 0;
+  int num_repeated = 0;
+  int num_others = 0;
   for (const json& row : group.rows) {
-    int number = 0;
-    for (const json& is_dead_end : row.at("dead_ends")) {
-      number += is_dead_end.get<int>();
-    }
-    num_fallen += number > 0;
-    num_again += number > 1;
+    const Falls falls = FallsOf(row);
+    num_fallen += !falls.kinds.empty();
+    num_repeated += falls.is_repeated;
+    num_others += falls.kinds.size() > 1;
   }
   if (num_fallen == 0) return "";
-  const Interval interval = WilsonInterval(num_again, num_fallen);
+  const Interval interval = WilsonInterval(num_repeated, num_fallen);
   return fmt::format(
-      "  dead ends: {} runs met one, {} of these another one later ({:.1f} - "
-      "{:.1f} %)\n",
-      num_fallen, num_again, 100 * interval.low, 100 * interval.high);
+      "  dead ends: the robot's action led to one in {} runs, in {} of these "
+      "to "
+      "another one later by the same kind of action ({:.1f} - {:.1f} %), in {} "
+      "by another kind\n",
+      num_fallen, num_repeated, 100 * interval.low, 100 * interval.high,
+      num_others);
 }
 
 class Statements {

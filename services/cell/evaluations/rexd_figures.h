@@ -7,8 +7,10 @@
 namespace cell::cli {
 
 /// The runs of one success rate. A row has the lists actions, demonstrations,
-/// explorations, reached and dead_ends with a number for each episode; states
-/// and valid of the frozen rules; probabilities by action [p, experiences].
+/// explorations, reached and dead_ends with a number for each episode;
+/// fatal_rules with the true rule of the action that led to a dead end, or -1,
+/// and shown_falls with 1 if the teacher did it; states and valid of the frozen
+/// rules; probabilities by action [p, experiences].
 struct RexdGroup {
   double success = 1;
   std::vector<nlohmann::json> rows;
