@@ -14,7 +14,7 @@ class FrozenScorer {
  public:
   FrozenScorer(const RexdTask& task, const RexD& learner)
       : task_(task),
-        learner_(learner),
+        robot_(learner.RobotRules()),
         teacher_(task, 1, {}, 0),
         acts_(GroundActs(*task.world, task.initial)),
         model_(learner.Model()),
@@ -61,8 +61,7 @@ class FrozenScorer {
   /// Notes by which rule, and with what probability, the change is expected.
   void AddExpectation(const GroundAct& act, const WorldState& before,
                       const WorldState& after) {
-    const auto coverage =
-        FindCoverage(learner_.rules(), act, before, *task_.world);
+    const auto coverage = FindCoverage(robot_.rules, act, before, *task_.world);
     if (!coverage) return;
     double p = 0;
     for (const Outcome& outcome : coverage->rule->outcomes) {
@@ -75,11 +74,10 @@ class FrozenScorer {
 
   void SetExpectation(int action, const std::map<const Rule*, double>& rules) {
     FrozenScore::Expectation& expectation = score_.expectations[action];
-    const Rule* first = learner_.rules().rules.data();
+    const Rule* first = robot_.rules.rules.data();
     double sum = 0;
     for (const auto& [rule, p] : rules) {
-      const int count =
-          learner_.rule_counts()[static_cast<size_t>(rule - first)];
+      const int count = robot_.counts[static_cast<size_t>(rule - first)];
       sum += p * count;
       expectation.num_experiences += count;
     }
@@ -89,7 +87,7 @@ class FrozenScorer {
   }
 
   const RexdTask& task_;
-  const RexD& learner_;
+  AgentRules robot_;
   PlanningTeacher teacher_;
   std::vector<GroundAct> acts_;
   std::shared_ptr<RuleModel> model_;

@@ -127,8 +127,8 @@ std::optional<GroundAct> RexD::DoWithoutPlan(const WorldState& state,
 bool RexD::HasFailedTooOften(const GroundAct& act,
                              const WorldState& state) const {
   return last_ && last_->act == act && last_->after == state &&
-         num_failures_ > 0 &&
-         std::pow(1 - p_at_first_, num_failures_) <
+         failures_.number > 0 &&
+         std::pow(1 - failures_.p_at_first, failures_.number) <
              params_.least_failure_probability;
 }
 
@@ -162,22 +162,27 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
     shown_in_vain_ = experience.act;
   }
   if (experience.before != experience.after) shown_in_vain_.reset();
-  const bool is_repeated = last_ && num_failures_ > 0 &&
+  const bool is_repeated = last_ && failures_.number > 0 &&
                            last_->act == experience.act &&
                            last_->before == experience.before;
   if (!is_repeated) {
-    num_failures_ = 0;
-    p_at_first_ = ChangeProbability(experience.act, experience.before);
+    failures_.number = 0;
+    failures_.p_at_first = ChangeProbability(experience.act, experience.before);
   }
-  if (experience.before == experience.after) ++num_failures_;
+  if (experience.before == experience.after) ++failures_.number;
   dangers_.Observe(experience, is_demonstrated);
   last_ = experience;
   actions_.insert(experience.act.action);
   experiences_.push_back(experience);
+  if (!is_demonstrated) robot_experiences_.push_back(experience);
   learner_.Add(experience);
   learner_.Learn();
   rules_ = learner_.Rules();
   counts_ = learner_.RuleCounts();
+}
+
+AgentRules RexD::RobotRules() const {
+  return WithRatesOf(robot_experiences_, rules_, *task_.world);
 }
 
 void RexD::RememberDeadEnd() {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "common/planning/planner.h"
+#include "common/rexd/agent_rates.h"
 #include "common/rexd/dangerous_acts.h"
 #include "common/rexd/guidance.h"
 #include "common/rexd/rule_model.h"
@@ -63,6 +64,9 @@ class RexD {
   const rules::NdrRules& rules() const { return rules_; }
   const std::vector<int>& rule_counts() const { return counts_; }
   const rules::Learner& learner() const { return learner_; }
+  /// The rules with the success rates of the robot alone, which may fail more
+  /// often than the teacher.
+  AgentRules RobotRules() const;
   const DeadEndMemory& dead_ends() const { return dangers_.dead_ends(); }
   /// The rules as they are, with all actions that were seen.
   std::shared_ptr<RuleModel> Model() const;
@@ -71,6 +75,12 @@ class RexD {
   std::optional<rules::GroundAct> Plan(const rules::WorldState& state);
 
  private:
+  /// Of the last action, in a row.
+  struct FailureStreak {
+    int number = 0;
+    double p_at_first = 0;  ///< that it would change anything, at the first
+  };
+
   planning::Planner::Params PlannerParams() const;
   std::optional<rules::GroundAct> PlanBy(const rules::NdrRules& rules,
                                          const RexdTask& task,
@@ -82,8 +92,8 @@ class RexD {
   bool HasFailedTooOften(const rules::GroundAct& act,
                          const rules::WorldState& state) const;
   std::vector<rules::GroundAct> KnownActs() const;
-  /// Probability that the rules give to any change, as if there were two
-  /// more experiences, one with a change (rule of succession).
+  /// Probability that the rules give to any change, as if there were two more
+  /// experiences, one with a change (rule of succession).
   double ChangeProbability(const rules::GroundAct& act,
                            const rules::WorldState& state) const;
   /// True if the rules are sure that nothing changes.
@@ -96,11 +106,11 @@ class RexD {
   rules::NdrRules rules_;
   std::vector<int> counts_;  // of each rule
   std::vector<rules::Experience> experiences_;
-  std::set<int> actions_;  // that were seen
+  std::vector<rules::Experience> robot_experiences_;  // not demonstrated
+  std::set<int> actions_;                             // that were seen
   rules::RandomNumbers random_;
   std::optional<rules::Experience> last_;
-  int num_failures_ = 0;   // of the last action, in a row
-  double p_at_first_ = 0;  // that it would change anything, at the first
+  FailureStreak failures_;
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
   DangerousActs dangers_;

@@ -49,7 +49,7 @@ bool RuleModel::IsGoal(planning::Bits words) const {
 void RuleModel::Expand(planning::Bits words,
                        planning::Expansion* expansion) const {
   const WorldState state = Unpack(words);
-  for (size_t i = 0; i < acts_.size(); ++i) {
+  for (const size_t i : coverable_) {
     const auto coverage = FindCoverage(rules_, acts_[i], state, *task_.world);
     if (!coverage) continue;
     if (is_forbidden_ && is_forbidden_(acts_[i], state)) continue;
@@ -155,15 +155,19 @@ void RuleModel::FindAchievable() {
       for (const Literal& l : outcome.changes) changing_.insert(l.symbol);
     }
   }
-  for (const GroundAct& act : acts_) {
+  for (size_t i = 0; i < acts_.size(); ++i) {
+    const GroundAct& act = acts_[i];
+    bool is_coverable = false;
     for (const Rule& rule : rules_.rules) {
       if (rule.action == act.action &&
           std::ranges::all_of(rule.context, [&](const Literal& literal) {
             return MayEverHold(literal, act);
           })) {
         AddAchievable(rule, act);
+        is_coverable = true;
       }
     }
+    if (is_coverable) coverable_.push_back(i);
   }
 }
 

@@ -54,8 +54,9 @@ class RuleModel final : public planning::Model {
   std::vector<uint64_t> relevant_;  // bits of a state
   /// Ground atoms that a rule makes true, or false: 2 * place + truth.
   std::set<int> achievable_;
-  std::set<int> changing_;  // symbols that a rule changes
-  int most_changes_ = 1;    // of the goal's symbols, by one action
+  std::set<int> changing_;         // symbols that a rule changes
+  std::vector<size_t> coverable_;  // acts that a rule may ever cover
+  int most_changes_ = 1;           // of the goal's symbols, by one action
 };
 
 }  // namespace cell::rexd

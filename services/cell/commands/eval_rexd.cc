@@ -147,6 +147,18 @@ std::string DefaultRows(const EvalRexdOptions& options) {
   return fmt::format("{}-seed{}.jsonl", name, options.seed);
 }
 
+/// The curve, with the options that both evaluations have.
+int EvalCurve(const EvalRexdOptions& options) {
+  LearningCurveOptions curve = options.curve;
+  curve.runs = options.runs;
+  curve.seed = options.seed;
+  curve.jobs = options.jobs;
+  curve.rows_file = options.rows_file;
+  curve.csv_file = options.csv_file;
+  curve.is_resumed = options.is_resumed;
+  return EvalLearningCurve(curve);
+}
+
 int EvalRexd(const EvalRexdOptions& options) {
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherTable);
@@ -181,6 +193,30 @@ int EvalRexd(const EvalRexdOptions& options) {
   return num_rows == trials.size() ? 0 : 1;
 }
 
+void AddCurveOptions(CLI::App* command, LearningCurveOptions* curve) {
+  CLI::Option* domain =
+      command->add_option("--ppddl", curve->domain_file,
+                          "a domain to learn without a teacher: how many test "
+                          "problems are solved after how many actions");
+  const auto add = [&](CLI::Option* option) {
+    option->needs(domain);
+    return option;
+  };
+  domain->needs(add(command->add_option("--learn-in", curve->learn_file,
+                                        "the problem whose world is learned "
+                                        "in, from its initial state on")));
+  domain->needs(add(command->add_option(
+      "--test-on", curve->test_files,
+      "problems to plan and act in by the rules that were learned")));
+  add(command->add_option("--actions", curve->num_actions, "actions of a run"))
+      ->check(NumberIn(1, 1'000'000))
+      ->capture_default_str();
+  add(command->add_option("--every", curve->interval,
+                          "actions between two tests"))
+      ->check(NumberIn(1, 1'000'000))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void AddEvalRexd(CLI::App& eval, Action* action) {
@@ -197,7 +233,9 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
       "under the same relevant conditions (one true rule), whatever its "
       "objects "
       "and outcome; the first one of another kind is no repetition.\n"
-      "Example: cell eval rexd --runs 300 --csv rexd.csv");
+      "Example: cell eval rexd --runs 300 --csv rexd.csv\n"
+      "Example: cell eval rexd --ppddl domain.pddl --learn-in learn.pddl "
+      "--test-on test_*.pddl --runs 10 --csv curve.csv");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--task-file", options->task_file,
@@ -242,9 +280,11 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
                       "write the table here, and FILE.png that plots it");
   command->add_flag("--resume", options->is_resumed,
                     "keep the rows of an earlier call and run what is missing");
+  AddCurveOptions(command, &options->curve);
   command->callback([=] {
     *action = [=] {
-      return EvalRexd(*options);
+      return options->curve.domain_file.empty() ? EvalRexd(*options)
+                                                : EvalCurve(*options);
     };
   });
 }

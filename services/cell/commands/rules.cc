@@ -139,7 +139,8 @@ void AddRules(CLI::App& app, Action* action) {
   auto options = std::make_shared<RulesOptions>();
   CLI::App* rules = app.add_subcommand(
       "rules",
-      "Record experiences; learn, compare, show, import and export noisy deictic "
+      "Record experiences; learn, compare, show, import and export noisy "
+      "deictic "
       "rules.\n"
       "Example: cell rules learn experiences --out learned.rules");
   rules->require_subcommand(1);

@@ -142,11 +142,15 @@ class Statements {
     Add("success 1: only the initial demonstrations are requested",
         fmt::format("{:.2f} demonstrations after the second episode", late),
         late < 0.5);
-    const double explorations = Mean(group, "explorations", 0, last_);
-    const double actions = Mean(group, "actions", 0, last_);
+    // Of the paper's 37 actions, explorations are at most those that the
+    // shortest ways of two episodes leave over.
+    const double explorations = Mean(group, "explorations", 0, 1);
+    const double most = 37 - 2 * floor_;
     Add("success 1: the number of explorations is low",
-        fmt::format("{:.1f} of {:.1f} actions", explorations, actions),
-        explorations < 0.25 * actions);
+        fmt::format("{:.1f} in two episodes; the paper's 37 actions leave "
+                    "{:.0f} beside the shortest ways",
+                    explorations, most),
+        explorations <= most);
     const double two = Mean(group, "actions", 0, 1);
     const double shown = Mean(group, "demonstrations", 0, 1);
     Add("success 1: about 37 actions and 9 demonstrations in two episodes",

@@ -1,5 +1,7 @@
+cell_add_test(unit/rexd/agent_rates_test.cc LINK cell_rexd)
 cell_add_test(unit/rexd/dead_end_memory_test.cc LINK cell_rexd)
 cell_add_test(unit/rexd/rexd_test.cc LINK cell_rexd)
 cell_add_test(unit/rexd/rule_model_test.cc LINK cell_rexd)
+cell_add_test(unit/rexd/explorer_test.cc LINK cell_rexd)
 cell_add_test(unit/rexd/guidance_test.cc LINK cell_rexd)
 cell_add_test(unit/rexd/ppddl_import_test.cc LINK cell_rexd cell_ppddl)

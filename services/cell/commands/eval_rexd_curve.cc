@@ -1,0 +1,153 @@
+#include "services/cell/commands/eval_rexd_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "common/files/draft.h"
+#include "common/rexd/explorer.h"
+#include "common/rexd/ppddl_task.h"
+#include "common/rexd/test_run.h"
+#include "common/rules/rule_text.h"
+#include "services/cell/commands/rules_files.h"
+#include "services/cell/evaluations/gnuplot.h"
+#include "services/cell/evaluations/learning_curve.h"
+#include "services/cell/evaluations/missing_runs.h"
+#include "services/cell/evaluations/row_store.h"
+
+namespace cell::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr char kAnotherCurve[] = "choose another --csv or remove it";
+
+struct Problems {
+  rexd::RexdTask learning;
+  std::vector<rexd::RexdTask> tests;
+};
+
+rexd::RexdTask LoadProblem(const ppddl::Domain& domain,
+                           const std::string& file) {
+  auto task = rexd::FromPpddl(
+      domain, ppddl::ParseProblem(TextOfFile(file), file, domain));
+  if (!task) throw std::runtime_error(file + ": " + task.reason());
+  return *std::move(task);
+}
+
+Problems LoadProblems(const LearningCurveOptions& options) {
+  const ppddl::Domain domain =
+      ppddl::ParseDomain(TextOfFile(options.domain_file), options.domain_file);
+  Problems problems{LoadProblem(domain, options.learn_file), {}};
+  for (const std::string& file : options.test_files) {
+    problems.tests.push_back(LoadProblem(domain, file));
+  }
+  return problems;
+}
+
+int NumSolved(const rules::NdrRules& rules, const Problems& problems) {
+  return static_cast<int>(
+      std::ranges::count_if(problems.tests, [&](const rexd::RexdTask& task) {
+        return rexd::RunTest(rules, task).is_goal_reached;
+      }));
+}
+
+json LearnAndTest(const Problems& problems, const LearningCurveOptions& options,
+                  uint64_t seed) {
+  const rexd::RexdTask& task = problems.learning;
+  rules::RandomNumbers random(seed);
+  rexd::Explorer::Params params;
+  params.seed = random.Next();
+  rexd::Explorer explorer(task, params);
+  rules::WorldState state = task.initial;
+  json row = {{"seed", seed}, {"solved", json::array()}};
+  std::string tested;
+  int num_solved = 0;
+  for (int i = 1; i <= options.num_actions; ++i) {
+    const rules::GroundAct act = explorer.Choose(state);
+    rules::WorldState after =
+        rules::Simulate(task.truth, *task.world, act, state, &random);
+    explorer.Observe({state, act, after});
+    state = std::move(after);
+    if (i % options.interval != 0) continue;
+    const std::string now = rules::ToText(explorer.rules());
+    if (now != tested) num_solved = NumSolved(explorer.rules(), problems);
+    tested = now;
+    row["solved"].push_back(num_solved);
+  }
+  row["rules"] = tested;
+  return row;
+}
+
+void PrintRuns(const std::vector<json>& rows,
+               const LearningCurveOptions& options) {
+  const int num_problems = static_cast<int>(options.test_files.size());
+  std::vector<int> masters;
+  for (const json& row : rows) {
+    const int actions = ActionsToMaster(row, options.interval, num_problems);
+    if (actions >= 0) masters.push_back(actions);
+  }
+  std::ranges::sort(masters);
+  std::cout << fmt::format("all {} problems solved in {} of {} runs",
+                           num_problems, masters.size(), rows.size());
+  if (!masters.empty()) {
+    std::cout << fmt::format(", from {} actions on at best, {} at worst",
+                             masters.front(), masters.back());
+  }
+  std::cout << "\n";
+}
+
+void WriteCurve(const std::vector<CurvePoint>& curve,
+                const std::string& csv_file) {
+  const std::string png = csv_file + ".png";
+  WriteNewFile(csv_file, CurveCsv(curve), kAnotherCurve);
+  const std::string problem = RunGnuplot(CurvePlot(csv_file, png));
+  std::cout << fmt::format("written: {}\n{}\n", csv_file,
+                           problem.empty() ? "written: " + png : problem);
+}
+
+std::string RowsFile(const LearningCurveOptions& options) {
+  if (!options.rows_file.empty()) return options.rows_file;
+  const std::string domain =
+      std::filesystem::path(options.domain_file).stem().string();
+  return fmt::format("runs/eval-rexd-curve-{}-seed{}.jsonl", domain,
+                     options.seed);
+}
+
+}  // namespace
+
+int EvalLearningCurve(const LearningCurveOptions& options) {
+  if (!options.csv_file.empty()) {
+    RequireFree(options.csv_file, kAnotherCurve);
+    RequireFree(options.csv_file + ".png", kAnotherCurve);
+  }
+  const Problems problems = LoadProblems(options);
+  RowStore store(RowsFile(options), options.is_resumed);
+  std::vector<std::string> keys;
+  for (int i = 0; i < options.runs; ++i) {
+    keys.push_back(std::to_string(options.seed + static_cast<uint64_t>(i)));
+  }
+  DoMissingRuns(
+      keys, options.jobs,
+      [&](size_t i) {
+        return LearnAndTest(problems, options, options.seed + i);
+      },
+      &store);
+  std::vector<json> rows;
+  for (const std::string& key : keys) {
+    if (store.Has(key)) rows.push_back(store.At(key));
+  }
+  const auto curve = LearningCurve(rows, options.interval,
+                                   static_cast<int>(problems.tests.size()));
+  std::cout << CurveText(curve);
+  PrintRuns(rows, options);
+  if (!options.csv_file.empty()) WriteCurve(curve, options.csv_file);
+  std::cout << fmt::format("rows in {} ({} of {} runs)\n",
+                           store.path().string(), rows.size(), keys.size());
+  return rows.size() == keys.size() ? 0 : 1;
+}
+
+}  // namespace cell::cli
