@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "common/ppddl/parse_file.h"
@@ -13,6 +15,12 @@
 
 namespace cell::rexd {
 namespace {
+
+bool IsOneWord(const std::string& name) {
+  rules::TokenReader reader(name, {"", 0});
+  reader.Take();
+  return reader.AtEnd();
+}
 
 /// A domain, and the text that errors point into.
 class DomainImport {
@@ -29,21 +37,21 @@ class DomainImport {
     std::string rules;
     std::set<std::string> names = {"nothing", "noise", "none", "not"};
     for (const ppddl::Object& constant : domain_.constants) {
-      CheckName(constant.name, ":constants", &names);
+      CheckName(constant.name, define_, ":constants", &names);
       text += constant.name + " 0 constant\n";
     }
     for (size_t i = 1; i < domain_.types.size(); ++i) {
-      CheckName(domain_.types[i].name, ":types", &names);
+      CheckName(domain_.types[i].name, define_, ":types", &names);
       text += domain_.types[i].name + " 1 primitive\n";
     }
     for (const ppddl::Symbol& predicate : domain_.predicates) {
-      CheckName(predicate.name, ":predicates", &names);
+      CheckName(predicate.name, define_, ":predicates", &names);
       CheckArity(predicate);
       text += fmt::format("{} {} primitive\n", predicate.name,
                           predicate.parameters.size());
     }
     for (const ppddl::Action& action : domain_.actions) {
-      CheckName(action.name, ":action", &names);
+      CheckName(action.name, define_, ":action", &names);
       const PpddlRule rule(domain_, action, PlaceOf(action.name));
       text += rule.Declaration();
       rules += rule.Text();
@@ -51,20 +59,33 @@ class DomainImport {
     return text + rules;
   }
 
+  /// Names of all that the domain declares, and words of rules.
+  std::set<std::string> names() const {
+    std::set<std::string> names = {"nothing", "noise", "none", "not"};
+    const auto add = [&](const auto& named) {
+      for (const auto& element : named) names.insert(element.name);
+    };
+    add(domain_.constants);
+    add(domain_.types);
+    add(domain_.predicates);
+    add(domain_.actions);
+    return names;
+  }
+
   /// Names of rules are read as one word, and each is used once.
-  void CheckName(const std::string& name, const std::string& section,
-                 std::set<std::string>* names) const {
-    rules::TokenReader reader(name, {"", 0});
-    reader.Take();
-    if (!reader.AtEnd()) {
-      FailAt(define_, section,
+  static void CheckName(const std::string& name,
+                        const ppddl::Expression& define,
+                        const std::string& section,
+                        std::set<std::string>* names) {
+    if (!IsOneWord(name)) {
+      FailAt(define, section,
              "the name '" + name + "' is no word of rules; rename it");
     }
     if (!names->insert(name).second) {
-      FailAt(define_, section,
+      FailAt(define, section,
              "'" + name +
-                 "' is used for something else, too; rules tell types,"
-                 " predicates, actions and objects apart by their names");
+                 "' is used for something else, too; rules tell types, "
+                 "predicates, actions and objects apart by their names");
     }
   }
 
@@ -99,19 +120,23 @@ std::string ProblemLines(const DomainImport& import, const PpddlText& text) {
   const ppddl::Expression& define =
       ppddl::FindDefine(expressions, "problem", text.file);
   std::vector<ppddl::Object> objects = domain.constants;
-  objects.insert(objects.end(), problem.objects.begin(), problem.objects.end());
   std::string lines = "objects:";
-  for (const ppddl::Object& object : problem.objects) {
+  std::set<std::string> names = import.names();
+  for (ppddl::Object object : problem.objects) {
+    // A hyphen before a digit would end the word: l-1-2.
+    if (!IsOneWord(object.name)) std::ranges::replace(object.name, '-', '_');
+    import.CheckName(object.name, define, ":objects", &names);
     lines += " " + object.name;
+    objects.push_back(object);
   }
   const auto atom = [&](int predicate, const std::vector<int>& places) {
-    std::vector<std::string> names;
+    std::vector<std::string> arguments;
     for (const int i : places) {
-      names.push_back(objects[static_cast<size_t>(i)].name);
+      arguments.push_back(objects[static_cast<size_t>(i)].name);
     }
     return fmt::format("{}({})",
                        domain.predicates[static_cast<size_t>(predicate)].name,
-                       fmt::join(names, " "));
+                       fmt::join(arguments, " "));
   };
   lines += "\nstart:";
   for (const ppddl::Object& object : objects) {

@@ -49,6 +49,21 @@ TEST(PpddlImport, GivesTheSameValues) {
   }
 }
 
+TEST(PpddlImport, WritesObjectsAsOneWord) {
+  const std::string problem =
+      With(With(With(kDelivery, "m t - town", "m l-1 - town"), "(bridge m t)",
+                "(bridge m l-1)"),
+           "(in x t)", "(in x l-1)");
+  const RexdTask task =
+      ParseRexdTask(TaskOfPpddl({kCourier, "d"}, {problem, "p"}), "imported");
+  EXPECT_TRUE(task.world->FindObject("l_1"));
+  ExpectSameValues(PlanOfTask(task), PlanOfPpddl(kCourier, problem));
+  // Two objects would have one name.
+  EXPECT_THROW(
+      TaskOfPpddl({kCourier, "d"}, {With(problem, "m l-1", "m l_1 l-1"), "p"}),
+      ppddl::PpddlError);
+}
+
 TEST(PpddlImport, WritesTypesQuantifiersAndWhatIsLeftOfProbability) {
   const std::string text = RulesOfPpddl({R"((define (domain d)
   (:types block)
