@@ -18,7 +18,7 @@ namespace {
 
 bool IsOneWord(const std::string& name) {
   rules::TokenReader reader(name, {"", 0});
-  reader.Take();
+  reader.Next();
   return reader.AtEnd();
 }
 
