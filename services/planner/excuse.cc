@@ -1,6 +1,8 @@
 #include "services/planner/excuse.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -81,19 +83,26 @@ std::vector<int> Obstacles(const StateSpace& space, int state,
   return obstacles;
 }
 
-/// A minimal subset of `atoms` that allows a plan when flipped; empty if not
-/// even all of them do.
-std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
-                             const std::function<Plan(const State&)>& solve) {
-  const auto has_plan = [&](const std::vector<int>& flipped) {
-    const Plan::Result result = solve(Flipped(state, flipped)).result;
-    return result == Plan::Result::kFound ||
-           result == Plan::Result::kGoalReached;
-  };
+using HasPlan = std::function<bool(const std::vector<int>& flipped)>;
+
+/// The atoms of each object, of the object with the fewest first.
+std::vector<std::vector<int>> ByObject(const std::vector<int>& atoms,
+                                       const Vocabulary& vocabulary) {
+  std::map<int, std::vector<int>> atoms_of;
   for (const int atom : atoms) {
-    if (has_plan({atom})) return {atom};
+    const std::vector<int>& arguments = vocabulary.Atom(atom).arguments;
+    for (const int object : std::set(arguments.begin(), arguments.end())) {
+      atoms_of[object].push_back(atom);
+    }
   }
-  if (!has_plan(atoms)) return {};
+  std::vector<std::vector<int>> groups;
+  for (auto& [object, group] : atoms_of) groups.push_back(std::move(group));
+  std::ranges::stable_sort(groups, {}, &std::vector<int>::size);
+  return groups;
+}
+
+/// Leaves out of `atoms`, which allow a plan, what is not needed.
+std::vector<int> Minimal(std::vector<int> atoms, const HasPlan& has_plan) {
   // What is flipped may need others flipped only because of itself: again until
   // nothing can be left out.
   for (size_t num_before = 0; num_before != atoms.size();) {
@@ -109,6 +118,22 @@ std::vector<int> LeastExcuse(const State& state, std::vector<int> atoms,
     }
   }
   return atoms;
+}
+
+/// A minimal subset of `atoms` that allows a plan when flipped: one atom, or
+/// else some of one object, or else of all of them; empty if there is none of
+/// these. To flip all at once may itself be what prevents a plan.
+std::vector<int> LeastExcuse(const std::vector<int>& atoms,
+                             const Vocabulary& vocabulary,
+                             const HasPlan& has_plan) {
+  for (const int atom : atoms) {
+    if (has_plan({atom})) return {atom};
+  }
+  for (const std::vector<int>& group : ByObject(atoms, vocabulary)) {
+    if (group.size() > 1 && has_plan(group)) return Minimal(group, has_plan);
+  }
+  if (!has_plan(atoms)) return {};
+  return Minimal(atoms, has_plan);
 }
 
 /// The goal's literals that fail in the reachable state where fewest do.
@@ -156,8 +181,13 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   const State& here = space.state(state);
   Excuse because{"cannot be reached: " + MissingLiterals(space, state, goal),
                  {}};
-  const std::vector<int> excuse =
-      LeastExcuse(here, Obstacles(space, state, goal), solve);
+  const auto has_plan = [&](const std::vector<int>& flipped) {
+    const Plan::Result result = solve(Flipped(here, flipped)).result;
+    return result == Plan::Result::kFound ||
+           result == Plan::Result::kGoalReached;
+  };
+  const std::vector<int> excuse = LeastExcuse(
+      Obstacles(space, state, goal), space.rules().vocabulary(), has_plan);
   if (excuse.empty()) {
     because.text += "; no action leads there";
     return because;

@@ -136,22 +136,11 @@ PlanCounts ComparePlans(const Comparison& comparison, const Goal& goal,
   return counts;
 }
 
-const Goal& GoalOf(const Domain& domain, const std::string& name) {
-  if (name.empty()) return domain.goals().front();
-  const Goal* goal = domain.FindGoal(name);
-  if (goal == nullptr) {
-    throw std::runtime_error("--goal " + name +
-                             ": the task has no such goal; its first one is " +
-                             domain.goals().front().name);
-  }
-  return *goal;
-}
-
 int CompareRules(const CompareOptions& options) {
   Progress progress;
   progress.Show("reading");
   const Comparison comparison = LoadComparison(options);
-  const Goal& goal = GoalOf(comparison.domain, options.goal);
+  const Goal& goal = NamedGoal(comparison.domain, options.goal);
   RuleComparison rules(comparison.reference, comparison.learned,
                        Agent::kPerson);
   for (const State& state : comparison.states) rules.Add(state);

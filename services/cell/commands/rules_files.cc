@@ -1,5 +1,7 @@
 #include "services/cell/commands/rules_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -8,6 +10,7 @@
 #include "common/experiences/experience_text.h"
 #include "common/rules/data_text.h"
 #include "common/rules/rule_text.h"
+#include "common/text/nearest.h"
 
 namespace cell::cli {
 
@@ -75,6 +78,17 @@ std::vector<rules::Experience> TaskExperiences(const fs::path& folder,
 
 rules::NdrRules LoadRules(const fs::path& path) {
   return rules::ParseRules(TextOfFile(path), path.string());
+}
+
+const Goal& NamedGoal(const Domain& domain, const std::string& name) {
+  if (name.empty()) return domain.goals().front();
+  const Goal* goal = domain.FindGoal(name);
+  if (goal == nullptr) {
+    throw std::runtime_error(
+        fmt::format("the task has no goal '{}'{}", name,
+                    NamesInstead(name, NamesIn(domain.goals(), &Goal::name))));
+  }
+  return *goal;
 }
 
 }  // namespace cell::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/experiences/rule_world.h"
+#include "common/relational/domain.h"
 #include "common/rules/experience.h"
 
 namespace cell::cli {
@@ -27,5 +28,9 @@ std::vector<rules::Experience> TaskExperiences(
 
 /// @throws RuleError, std::runtime_error naming file and line
 rules::NdrRules LoadRules(const std::filesystem::path& path);
+
+/// The domain's first goal if `name` is empty.
+/// @throws std::runtime_error naming the goals that there are
+const Goal& NamedGoal(const Domain& domain, const std::string& name);
 
 }  // namespace cell::cli

@@ -14,6 +14,7 @@
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
+#include "services/cell/commands/rules_files.h"
 #include "services/cell/learning/experienced_episodes.h"
 #include "services/cell/learning/run_experiences.h"
 #include "services/cell/learning/sufficiency.h"
@@ -29,17 +30,6 @@ struct JudgeOptions {
   std::string goal;
 };
 
-const Goal& GoalOf(const Domain& domain, const std::string& name) {
-  if (name.empty()) return domain.goals().front();
-  const Goal* goal = domain.FindGoal(name);
-  if (goal == nullptr) {
-    throw std::runtime_error(
-        fmt::format("the task has no goal '{}'{}", name,
-                    NamesInstead(name, NamesIn(domain.goals(), &Goal::name))));
-  }
-  return *goal;
-}
-
 int Judge(const JudgeOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   const Domain domain = LoadTask(deployment).domain;
@@ -47,7 +37,7 @@ int Judge(const JudgeOptions& options) {
   const fs::path folder = options.experiences.empty()
                               ? deployment.task_dir / "experiences"
                               : fs::path(options.experiences);
-  const Goal& goal = GoalOf(domain, options.goal);
+  const Goal& goal = NamedGoal(domain, options.goal);
   std::vector<rules::Experience> experiences;
   std::vector<State> starts;
   for (const ExperiencedEpisode& episode : EpisodesIn(folder, world)) {
