@@ -136,7 +136,7 @@ PlanCounts ComparePlans(const Comparison& comparison, const Goal& goal,
   return counts;
 }
 
-const Goal& GoalOf(const Domain& domain, const std::string& name) {
+const Goal& ComparedGoal(const Domain& domain, const std::string& name) {
   if (name.empty()) return domain.goals().front();
   const Goal* goal = domain.FindGoal(name);
   if (goal == nullptr) {
@@ -151,7 +151,7 @@ int CompareRules(const CompareOptions& options) {
   Progress progress;
   progress.Show("reading");
   const Comparison comparison = LoadComparison(options);
-  const Goal& goal = GoalOf(comparison.domain, options.goal);
+  const Goal& goal = ComparedGoal(comparison.domain, options.goal);
   RuleComparison rules(comparison.reference, comparison.learned,
                        Agent::kPerson);
   for (const State& state : comparison.states) rules.Add(state);
