@@ -90,8 +90,8 @@ std::vector<std::vector<int>> ByObject(const std::vector<int>& atoms,
                                        const Vocabulary& vocabulary) {
   std::map<int, std::vector<int>> atoms_of;
   for (const int atom : atoms) {
-    const std::vector<int>& arguments = vocabulary.Atom(atom).arguments;
-    for (const int object : std::set(arguments.begin(), arguments.end())) {
+    const std::vector<int>& objects = vocabulary.Atom(atom).objects;
+    for (const int object : std::set(objects.begin(), objects.end())) {
       atoms_of[object].push_back(atom);
     }
   }
