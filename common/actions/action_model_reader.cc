@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/actions/sec_models.h"
+#include "common/actions/skill_needs.h"
 
 namespace cell {
 namespace {
@@ -139,7 +140,7 @@ Action ActionFrom(const Config& config, const ActionRecord& record,
   if (record.is_removed()) action.agents.clear();
   RequireSameArguments(record, action, domain);
   action.undoes = FindUndone(record, action, domain);
-  return action;
+  return WithSkillNeeds(std::move(action), domain.vocabulary());
 }
 
 /// Calls `read`; what yaml-cpp throws, for keys that are no names, becomes a

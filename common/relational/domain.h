@@ -16,7 +16,7 @@ struct Goal {
 };
 
 /// The symbolic level of a task: domain.yaml. How its actions are recognised is
-/// learned: sec_models.yaml.
+/// learned: sec_models.yaml. So may be the rules of its actions: LoadTask().
 ///
 ///   types: {part: object, bolt: part, hole: object}
 ///   constants: {inspector: object}                # optional
@@ -31,7 +31,7 @@ struct Goal {
 ///       arguments: {X: bolt, Y: hole}
 ///       agents: [person, robot]                   # default: both
 ///       undoes: Remove                            # optional
-///       rules:
+///       rules:                                    # optional
 ///         - agents: [person]                     # default: the action's
 ///           context: [fits(X, Y), Free(Y), not InHole(X, _)]
 ///           references: {Z: {type: part, such_that: [On(X, Z)]}}  # optional

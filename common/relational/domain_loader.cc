@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/relational/domain.h"
+#include "common/relational/robot_addition.h"
 
 namespace cell {
 namespace {
@@ -162,18 +163,12 @@ NdrRule LoadRule(const Config& config, const Vocabulary& vocabulary,
   return rule;
 }
 
-/// What a robot's rule needs and does besides; see Domain.
-struct Addition {
-  std::vector<Literal> context;
-  std::vector<Literal> effects;
-};
-
-std::vector<Addition> LoadAdditions(const Config& action,
-                                    const Vocabulary& vocabulary,
-                                    const std::vector<Variable>& arguments) {
-  std::vector<Addition> additions;
+std::vector<RobotAddition> LoadAdditions(
+    const Config& action, const Vocabulary& vocabulary,
+    const std::vector<Variable>& arguments) {
+  std::vector<RobotAddition> additions;
   for (const Config& item : action["robot"].Items()) {
-    Addition addition;
+    RobotAddition addition;
     addition.context = ParseLiterals(item["context"], vocabulary, arguments);
     addition.effects =
         LoadChanges(item["effects"].Items(), vocabulary, arguments);
@@ -183,49 +178,25 @@ std::vector<Addition> LoadAdditions(const Config& action,
   return additions;
 }
 
-/// @throws ConfigError if what a rule does is undone by what is added.
-NdrRule WithAddition(NdrRule rule, const Addition& addition,
-                     const Config& config) {
-  rule.agents = {Agent::kRobot};
-  for (const Outcome& outcome : rule.outcomes) {
-    for (const Effect& effect : outcome.effects) {
-      for (const Literal& added : addition.effects) {
-        if (effect.each.empty() &&
-            std::any_of(effect.then.begin(), effect.then.end(),
-                        [&](const auto& l) { return Contradict(l, added); })) {
-          config.Fail("an effect contradicts one of the rules'");
-        }
-      }
-    }
-  }
-  rule.context.insert(rule.context.end(), addition.context.begin(),
-                      addition.context.end());
-  for (Outcome& outcome : rule.outcomes) {
-    std::vector<Literal>& then = outcome.effects.back().then;  // without `each`
-    then.insert(then.end(), addition.effects.begin(), addition.effects.end());
-  }
-  return rule;
-}
-
 /// The rules themselves for the person; for the robot each of them with each
-/// addition.
+/// addition. @throws ConfigError if what a rule does is undone by what is
+/// added.
 void AddRobotRules(const Config& config, const Vocabulary& vocabulary,
                    Action& action) {
   if (!action.MayBeDoneBy(Agent::kRobot)) {
     config["robot"].Fail("the robot is not one of the action's agents");
   }
-  const std::vector<Addition> additions =
+  const std::vector<RobotAddition> additions =
       LoadAdditions(config, vocabulary, action.arguments);
-  std::vector<NdrRule> rules;
-  for (NdrRule& rule : action.rules) {
-    if (!rule.IsFor(Agent::kRobot)) continue;
-    for (const Addition& addition : additions) {
-      rules.push_back(WithAddition(rule, addition, config["robot"]));
+  for (const NdrRule& rule : action.rules) {
+    for (const RobotAddition& addition : additions) {
+      if (rule.IsFor(Agent::kRobot) && Contradicts(rule, addition)) {
+        config["robot"].Fail("an effect contradicts one of the rules'");
+      }
     }
-    std::erase(rule.agents, Agent::kRobot);
   }
-  std::erase_if(action.rules, [](const auto& r) { return r.agents.empty(); });
-  action.rules.insert(action.rules.end(), rules.begin(), rules.end());
+  AddForRobot(
+      additions, [](const NdrRule&) { return true; }, &action);
 }
 
 /// The action that `config` names; its arguments must be those of `undoing`.
@@ -253,7 +224,7 @@ Action LoadAction(const std::string& name, const Config& config,
   Extend(action.arguments, LoadVariables(config["arguments"], vocabulary),
          config["arguments"]);
   action.agents = LoadAgents(config, {Agent::kPerson, Agent::kRobot});
-  for (const Config& item : config["rules"].Items()) {
+  for (const Config& item : config.ItemsOf("rules")) {
     action.rules.push_back(LoadRule(item, vocabulary, action.arguments));
     action.rules.back().agents = LoadAgentsOfRule(item, action);
   }

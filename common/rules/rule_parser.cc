@@ -42,6 +42,8 @@ class RuleParser {
     EndRule();
     return std::move(rules_);
   }
+  /// Of the rules, each where it begins.
+  const std::vector<int>& lines() const { return lines_; }
 
  private:
   enum class Stage { kBegin, kReferences, kPreconditions, kEffects };
@@ -84,6 +86,7 @@ class RuleParser {
           "the probabilities of this rule's effects sum to {}, not 1", sum));
     }
     rules_.rules.push_back(std::move(*rule_));
+    lines_.push_back(place_.line);
     rule_.reset();
   }
 
@@ -307,6 +310,7 @@ class RuleParser {
   const SymbolTable& symbols() const { return *rules_.symbols; }
 
   NdrRules rules_;
+  std::vector<int> lines_;
   std::optional<Rule> rule_;
   Place place_;  // of the rule
   Stage stage_ = Stage::kBegin;
@@ -314,12 +318,17 @@ class RuleParser {
   bool is_after_outcome_ = false;
 };
 
+std::vector<TextLine>::const_iterator FirstRuleIn(
+    const std::vector<TextLine>& lines) {
+  return std::ranges::find_if(
+      lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
+}
+
 }  // namespace
 
 NdrRules ParseRules(const std::string& text, const std::string& file) {
   const std::vector<TextLine> lines = SplitLines(text, file);
-  const auto first_rule = std::ranges::find_if(
-      lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
+  const auto first_rule = FirstRuleIn(lines);
   std::string declarations;
   for (auto it = lines.begin(); it != first_rule; ++it) {
     declarations += it->text + "\n";
@@ -328,6 +337,20 @@ NdrRules ParseRules(const std::string& text, const std::string& file) {
       SymbolTable::Parse(declarations, file)));
   for (auto it = first_rule; it != lines.end(); ++it) parser.Read(*it);
   return parser.Finish();
+}
+
+std::vector<PlacedRule> ParseRulesOf(std::shared_ptr<const SymbolTable> symbols,
+                                     const std::string& text,
+                                     const std::string& file) {
+  const std::vector<TextLine> lines = SplitLines(text, file);
+  RuleParser parser(std::move(symbols));
+  for (auto it = FirstRuleIn(lines); it != lines.end(); ++it) parser.Read(*it);
+  const NdrRules rules = parser.Finish();
+  std::vector<PlacedRule> placed;
+  for (size_t i = 0; i < rules.rules.size(); ++i) {
+    placed.push_back({parser.lines()[i], rules.rules[i]});
+  }
+  return placed;
 }
 
 }  // namespace cell::rules

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "common/rules/rule.h"
 
@@ -34,5 +36,17 @@ std::string ToText(const NdrRules& rules);
 /// constants, wrong numbers of arguments, changes of derived predicates, and
 /// probabilities that do not sum to 1
 NdrRules ParseRules(const std::string& text, const std::string& file);
+
+/// A rule and the line of its file where it begins.
+struct PlacedRule {
+  int line = 0;
+  Rule rule;
+};
+/// Reads the rules of such a text in the words of other symbols than the text
+/// declares: those of a task that may have changed since. @throws like
+/// ParseRules()
+std::vector<PlacedRule> ParseRulesOf(std::shared_ptr<const SymbolTable> symbols,
+                                     const std::string& text,
+                                     const std::string& file);
 
 }  // namespace cell::rules

@@ -1,6 +1,11 @@
 #include "common/task/task.h"
 
+#include <set>
+#include <string>
+
 #include "common/actions/sec_models.h"
+#include "common/task/learned_rules.h"
+#include "common/task/task_actions.h"
 #include "common/task/task_consistency.h"
 
 namespace cell {
@@ -19,6 +24,22 @@ std::vector<ActionModel> ReadActions(const Config& sec_config,
   return models;
 }
 
+Domain LoadDomain(const Deployment& deployment, const Config& config,
+                  const Config& sec_config, const PartTable& parts,
+                  LearnedRules learned_rules) {
+  Domain domain = Domain::FromConfig(config, parts);
+  const auto file = config.GetOr<std::string>(kLearnedRulesKey, "");
+  if (!file.empty() && learned_rules == LearnedRules::kRead) {
+    ReadLearnedRules(deployment, config, &domain);
+  }
+  std::set<std::string> shown;
+  for (const auto& [name, model] : sec_config["models"].Entries()) {
+    shown.insert(name);
+  }
+  CompleteActions(shown, &domain);
+  return domain;
+}
+
 }  // namespace
 
 std::shared_ptr<const PredicateSensor> Task::MakeSensor(
@@ -27,14 +48,15 @@ std::shared_ptr<const PredicateSensor> Task::MakeSensor(
       domain.vocabulary(), parts, layout.workspace, geometries, uncertainty);
 }
 
-Task LoadTask(const Deployment& deployment) {
+Task LoadTask(const Deployment& deployment, LearnedRules learned_rules) {
   const Config parts_config = deployment.OfTask("parts.yaml");
   const Config domain_config = deployment.OfTask("domain.yaml");
   const Config sec_config = deployment.OfTask(kSecModelsFile);
   const PartTable parts = PartTable::FromConfig(parts_config);
   const CellLayout layout =
       CellLayout::FromConfig(deployment.OfTask("cell.yaml"));
-  const Domain domain = Domain::FromConfig(domain_config, parts);
+  const Domain domain =
+      LoadDomain(deployment, domain_config, sec_config, parts, learned_rules);
   Task task{parts,
             layout,
             SceneObjects(parts, layout),

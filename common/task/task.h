@@ -13,9 +13,10 @@
 
 namespace cell {
 
-/// The task that a cell works on: its parts.yaml, cell.yaml, domain.yaml and
-/// sec_models.yaml, each read once, strictly, and held against the others. What
-/// only one service reads (skills.yaml, demonstrators.yaml) it reads itself.
+/// The task that a cell works on: its parts.yaml, cell.yaml, domain.yaml with
+/// the learned rules that it names, and sec_models.yaml, each read once,
+/// strictly, and held against the others. What only one service reads
+/// (skills.yaml, demonstrators.yaml) it reads itself.
 struct Task {
   PartTable parts;
   CellLayout layout;
@@ -29,7 +30,11 @@ struct Task {
       const PoseUncertainty& uncertainty = {}) const;
 };
 
-/// @throws ConfigError naming file:key.
-Task LoadTask(const Deployment& deployment);
+/// Whether actions get the rules that were learned of them.
+enum class LearnedRules { kRead, kLeaveOut };
+
+/// @throws ConfigError naming file:key, or file:line of learned rules.
+Task LoadTask(const Deployment& deployment,
+              LearnedRules learned_rules = LearnedRules::kRead);
 
 }  // namespace cell

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "common/task/learned_rules.h"
+
 namespace cell {
 namespace {
 
@@ -87,6 +89,7 @@ void CheckActions(const Config& config, const Domain& domain,
   }
   for (size_t i = 0; i < domain.actions().size(); ++i) {
     const Action& action = domain.actions()[i];
+    if (action.rules.empty() && config.Has(kLearnedRulesKey)) continue;
     for (const Agent agent : action.agents) {
       if (possible.contains({static_cast<int>(i), agent})) continue;
       config["actions"][action.name].Fail(fmt::format(

@@ -14,8 +14,9 @@ namespace cell {
 void CheckGrasps(const Config& parts_config, const PartTable& parts,
                  const CellLayout& layout);
 
-/// Every action is possible for each of its agents; an arm that inserts is
-/// there, and so is the site, which the part fits.
+/// Every action is possible for each of its agents, unless it has no rules as
+/// none were learned of it; an arm that inserts is there, and so is the site,
+/// which the part fits.
 void CheckActions(const Config& domain_config, const Domain& domain,
                   const PartTable& parts, const CellLayout& layout);
 

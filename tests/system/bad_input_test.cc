@@ -195,11 +195,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoAgent", kDomain, "0,/agents: .person./s//agents: []/",
                 "agents: names no agent"},
         Mistake{"UndoesItself", kDomain,
-                "s/undoes: ScrewHead/undoes: RemoveHead/",
+                "s/^  RemoveHead:/&\\n    undoes: RemoveHead/",
                 "RemoveHead.undoes: an action cannot undo itself"},
         Mistake{"Contradiction", kDomain,
-                "s/context: .Horizontal(X), Clear(X)/context: [Horizontal(X), "
-                "not Horizontal(X), Clear(X)/",
+                "s/context: .\"Held(X, left)\"/context: [\"Held(X, left)\", "
+                "\"not Held(X, left)\"/",
                 "contradicts another literal"},
         Mistake{"ContradictionWithAny", kDomain,
                 "s/context: .\"Held(X, A)\"./context: [\"Held(X, A)\", \"not "
@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoSuchService", "config/roster.yaml",
                 "s/name: recognizer/name: recogniser/", "there is no service"},
         Mistake{"TypeOfNoPart", kDomain,
-                "s/arguments: {X: separator}/arguments: {X: object}/",
+                "s/arguments: {X: movable}/arguments: {X: object}/",
                 "domain.yaml:actions."},
         Mistake{"WideOpening", kParts, "0,/opening: 20/s//opening: wide/",
                 "parts.yaml:parts.base.sites[0].opening: cannot be read as a "

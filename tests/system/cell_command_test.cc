@@ -252,6 +252,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "rules learn",
                               "rules record",
                               "rules judge",
+                              "rules compare",
                               "rules show",
                               "rules export",
                               "eval rules",

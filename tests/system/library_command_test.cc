@@ -89,7 +89,7 @@ TEST_F(LibraryCommand, WhatCannotBeKeptIsNamedAndNothingIsImported) {
 }
 
 TEST_F(LibraryCommand, AnotherActionOfTheSameNameIsRefused) {
-  Replace(dir_ / "a" / "library.json", "0.95", "0.9500");
+  Replace(dir_ / "a" / "library.json", "not Free(Y)", "Free(Y)");
   const ShellResult run = Cell("library import a/library.json --database a");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' already "

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <random>
@@ -10,23 +9,32 @@
 #include <vector>
 
 #include "common/relational/domain.h"
+#include "common/task/reference_rules.h"
 #include "common/task/task.h"
 #include "services/planner/plan_search.h"
+#include "services/planner/planner.h"
+#include "services/planner/planner_config.h"
 
 namespace cell {
 
 using namespace planner;
 
-/// The shipped task, and how a person changes its state.
+/// The shipped task with the rules of its author, and how a person changes its
+/// state.
 struct Cranfield {
   Cranfield() {
-    const std::filesystem::path source = CELL_SOURCE_DIR;
-    domain = std::make_unique<Domain>(
-        LoadTask({source / "deploy/config", source / "deploy/tasks/cranfield"})
-            .domain);
+    domain = std::make_unique<Domain>(WithReferenceRules(
+        LoadTask(deployment, LearnedRules::kLeaveOut).domain,
+        Config::Load(CELL_SOURCE_DIR
+                     "/tests/data/cranfield/reference_rules.yaml")));
     rules = RuleSet::FromDomain(*domain);
   }
 
+  /// The service that plans with these rules.
+  std::unique_ptr<Service> MakePlannerOfRules(Bus& bus) const {
+    return std::make_unique<Planner>(bus, *domain,
+                                     LoadDecisionMaker(*domain, deployment));
+  }
   Problem ProblemOf(Agent agent) const {
     return {rules, *domain->FindGoal("assembled"), agent};
   }
@@ -115,6 +123,8 @@ struct Cranfield {
     return order;
   }
 
+  const Deployment deployment{CELL_SOURCE_DIR "/deploy/config",
+                              CELL_SOURCE_DIR "/deploy/tasks/cranfield"};
   std::unique_ptr<Domain> domain;
   std::shared_ptr<const RuleSet> rules;
 };

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "common/experiences/experience_text.h"
 #include "common/experiences/rule_lessons.h"
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
@@ -24,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kExtension[] = ".experiences";
 constexpr char kOtherOut[] = "choose another --out or remove it";
 
 struct LearnRulesOptions {
@@ -33,38 +29,16 @@ struct LearnRulesOptions {
   std::string out;
 };
 
-std::vector<fs::path> ExperienceFilesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == kExtension) {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  if (files.empty()) {
-    throw std::runtime_error(folder.string() + ": has no file *" + kExtension +
-                             "; cell rules record makes them from runs");
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 int LearnRulesOfTask(const LearnRulesOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   if (!options.out.empty()) RequireFree(options.out, kOtherOut);
   const fs::path folder = options.experiences.empty()
                               ? deployment.task_dir / "experiences"
                               : fs::path(options.experiences);
-  const Domain domain = LoadTask(deployment).domain;
+  // The rules to be replaced may be of an older domain.
+  const Domain domain = LoadTask(deployment, LearnedRules::kLeaveOut).domain;
   const RuleWorld world = RuleWorldOf(domain);
-  std::vector<rules::Experience> experiences;
-  for (const fs::path& file : ExperienceFilesIn(folder)) {
-    for (auto& experience :
-         ReadExperiences(TextOfFile(file), file.string(), world)) {
-      experiences.push_back(std::move(experience));
-    }
-  }
+  const auto experiences = TaskExperiences(folder, world);
   const rules::NdrRules rules =
       LearnRules(experiences, GoalPredicates(domain.goals()), world);
   std::string text;

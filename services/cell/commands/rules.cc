@@ -12,6 +12,7 @@
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/rules_compare.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/commands/rules_judge.h"
 #include "services/cell/commands/rules_options.h"
@@ -103,12 +104,14 @@ void AddRules(CLI::App& app, Action* action) {
   auto options = std::make_shared<RulesOptions>();
   CLI::App* rules = app.add_subcommand(
       "rules",
-      "Record experiences; learn, show and export noisy deictic rules.\n"
+      "Record experiences; learn, compare, show and export noisy deictic "
+      "rules.\n"
       "Example: cell rules learn experiences --out learned.rules");
   rules->require_subcommand(1);
   AddLearn(rules, options, action);
   AddRulesRecord(*rules, action);
   AddRulesJudge(*rules, action);
+  AddRulesCompare(*rules, action);
   CLI::App* show =
       rules->add_subcommand("show",
                             "Show the rules of a file.\n"

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "common/experiences/rule_world.h"
 #include "common/rules/experience.h"
 
 namespace cell::cli {
@@ -16,6 +18,12 @@ std::string TextOfFile(const std::filesystem::path& path);
 /// @throws RuleError, std::runtime_error naming file and line
 rules::ExperienceSet LoadExperiences(const std::filesystem::path& data,
                                      const std::filesystem::path& symbols);
+
+/// The experiences of a task: all files *.experiences of the folder, by name.
+/// @throws RuleError, std::runtime_error naming file and line, or the folder if
+/// it has none
+std::vector<rules::Experience> TaskExperiences(
+    const std::filesystem::path& folder, const RuleWorld& world);
 
 /// @throws RuleError, std::runtime_error naming file and line
 rules::NdrRules LoadRules(const std::filesystem::path& path);

@@ -169,15 +169,20 @@ TEST_F(ActionRecords, ReplaceTheRulesWhileThePlannerRuns) {
   planner.Give("PREDICATES", Predicates());
   const auto before = On<plan_t>("PLAN", planner.Run());
   ASSERT_THAT(before, SizeIs(1));
-  ActionRecord record = Changed(Of("ScrewHead"), &ActionRecord::rules,
-                                "probability: 0.95", "probability: 0.5");
-  record = Changed(record, &ActionRecord::rules, "noise: 0.05", "noise: 0.5");
-  const auto said = planner.Take(record);
+  ActionModel model =
+      task_.actions[static_cast<size_t>(*task_.domain.FindAction("ScrewHead"))];
+  ++model.version;
+  double probability = 0;
+  for (NdrRule& rule : model.action.rules) {
+    probability = rule.outcomes.at(0).probability;
+    rule.outcomes[0].probability = rule.noise = 0.5;
+  }
+  const auto said = planner.Take(WriteActionModel(model, task_.domain));
   EXPECT_THAT(On<alert_t>("ALERT", said), IsEmpty());
   const auto after = On<plan_t>("PLAN", said);  // of the state as it is known
   ASSERT_THAT(after, SizeIs(1));
   EXPECT_NEAR(after[0].expected_actions - before[0].expected_actions,
-              1 / 0.5 - 1 / 0.95, 1e-6);
+              1 / 0.5 - 1 / probability, 1e-6);
 }
 
 TEST_F(ActionRecords, OfAnotherDomainAreRefusedInWords) {

@@ -22,8 +22,8 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const std::set<std::string> kBothIn = {"In(bolt_1, hole_1)",
-                                       "In(bolt_2, hole_2)"};
+const std::set<std::string> kBothInserted = {"In(bolt_1, hole_1)",
+                                             "In(bolt_2, hole_2)"};
 
 /// Both arms are idle, the right one reaches all parts.
 class States : public testing::Test {
@@ -141,7 +141,7 @@ TEST_F(States, SenseDoesNotAskBeforeTheStateHasSettled) {
 
 TEST_F(States, ActRequestsTheFirstStepOfThePlan) {
   Act act;
-  Sense(kBothIn);
+  Sense(kBothInserted);
   EXPECT_EQ(NextAfter(act), "");
   ASSERT_THAT(out_.requests, SizeIs(1));
   EXPECT_EQ(out_.requests[0].arguments.at("part"), bench_.Object("lid"));
@@ -174,7 +174,7 @@ TEST_F(States, ActIsFollowedByUndecidedWithoutAPlan) {
 TEST_F(States, ActAsksAtOnceForAStepThatIsLeftToAPerson) {
   Act act;
   context_.params.help_steps = {bench_.Action("Close", {"lid"})};
-  Sense(kBothIn);
+  Sense(kBothInserted);
   EXPECT_EQ(NextAfter(act), "ask");
 }
 
@@ -186,7 +186,7 @@ TEST_F(States, ActAsksAtOnceForAStepThatNoArmCanDo) {
                     "right}\n",
                     ""))
           .rules);
-  Sense(kBothIn);
+  Sense(kBothInserted);
   EXPECT_EQ(NextAfter(act), "ask");
 }
 
@@ -199,7 +199,7 @@ TEST_F(States, ActIsFollowedByCleanUpWhenTheGoalIsReached) {
 TEST_F(States, UndecidedAsksTheEstimatorThenThePerson) {
   reachable_ = {"bolt_1", "bolt_2"};
   Report();
-  Sense(kBothIn);
+  Sense(kBothInserted);
   Undecided undecided(Plan());
   EXPECT_EQ(NextAfter(undecided), "");
   EXPECT_TRUE(out_.sense);

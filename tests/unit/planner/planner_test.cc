@@ -20,12 +20,7 @@ using testing::Not;
 
 class PlannerService : public testing::Test {
  protected:
-  PlannerService() {
-    service_ = MakePlanner(stepper_,
-                           Deployment{CELL_SOURCE_DIR "/deploy/config",
-                                      CELL_SOURCE_DIR "/deploy/tasks/cranfield",
-                                      {}});
-  }
+  PlannerService() { service_ = cranfield_.MakePlannerOfRules(stepper_); }
 
   template <class M>
   void Give(const std::string& channel, const M& message) {

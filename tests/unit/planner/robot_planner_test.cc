@@ -28,12 +28,6 @@ using testing::SizeIs;
 
 constexpr int kPatienceTicks = 800;  // [ticks], after which a person is asked
 
-Deployment Shipped() {
-  return {CELL_SOURCE_DIR "/deploy/config",
-          CELL_SOURCE_DIR "/deploy/tasks/cranfield",
-          {}};
-}
-
 /// A planner with the latency that it has in the cell. ArmStates report and
 /// predicates are answered by the test.
 class RobotPlanner : public testing::Test {
@@ -43,7 +37,7 @@ class RobotPlanner : public testing::Test {
   void Begin() {
     stepper_ = std::make_unique<Stepper>(
         Stepper::Params{.name = "planner", .latency = 5});
-    service_ = MakePlanner(*stepper_, Shipped());
+    service_ = cranfield_.MakePlannerOfRules(*stepper_);
   }
   template <class M>
   void Give(const std::string& channel, M message) {

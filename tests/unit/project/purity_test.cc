@@ -29,6 +29,7 @@ const std::set<std::string> kAdapters = {
     "common/node/service_manager.cc",          // the watchdog's time
     "common/recordings/recording_file.cc",     // reads recordings
     "common/rendering/bands.cc",               // rows on all cores
+    "common/task/learned_rules.cc",            // reads learned rules
     "common/text/printable_output.cc",         // what main() prints through
     "common/text/printable_output.h",          //
     "common/text/terminal.cc",                 // the screen of the person

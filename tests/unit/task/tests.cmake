@@ -1,0 +1,1 @@
+cell_add_test(unit/task/learned_rules_test.cc LINK cell_task cell_tracker)
