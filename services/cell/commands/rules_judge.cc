@@ -29,7 +29,7 @@ struct JudgeOptions {
   std::string goal;
 };
 
-const Goal& GoalOf(const Domain& domain, const std::string& name) {
+const Goal& GoalToJudge(const Domain& domain, const std::string& name) {
   if (name.empty()) return domain.goals().front();
   const Goal* goal = domain.FindGoal(name);
   if (goal == nullptr) {
@@ -47,7 +47,7 @@ int Judge(const JudgeOptions& options) {
   const fs::path folder = options.experiences.empty()
                               ? deployment.task_dir / "experiences"
                               : fs::path(options.experiences);
-  const Goal& goal = GoalOf(domain, options.goal);
+  const Goal& goal = GoalToJudge(domain, options.goal);
   std::vector<rules::Experience> experiences;
   std::vector<State> starts;
   for (const ExperiencedEpisode& episode : EpisodesIn(folder, world)) {
