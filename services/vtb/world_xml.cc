@@ -90,7 +90,7 @@ class Writer {
         "<option timestep='{:.17g}' cone='elliptic' jacobian='sparse'/>\n"
         // An assembly has 110 contacts and 450 rows, no run yet over 125 and
         // 480. Memory grows with the square of the rows.
-        "<size njmax='1000' nconmax='400'/>\n"
+        "<size njmax='1000' nconmax='500'/>\n"
         // Contact settings that hold an assembly still (section IV).
         "<default><geom condim='4' friction='{:.17g} 0.005 0.0001'"
         " solref='{:.17g} 1' solimp='0.98 0.995 0.0002'/>"

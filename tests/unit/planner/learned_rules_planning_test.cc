@@ -61,14 +61,19 @@ TEST_F(LearnedRulesPlanning, APartThatIsPlacedTooEarlyMakesThePlanLonger) {
   std::vector<std::string> all = {"Free(base.round_1)", "Free(base.round_2)"};
   all.insert(all.end(), square.begin(), square.end());
   all.insert(all.end(), shaft.begin(), shaft.end());
-  for (const State& state :
-       {EarlyAt({"SeparatorPlaced(separator)"}, square),
-        EarlyAt({"PendulumPlaced(pendulum)"}, shaft),
-        EarlyAt({"FacePlateFrontPlaced(face_plate)"}, all)}) {
+  for (const State& state : {EarlyAt({"SeparatorPlaced(separator)"}, square),
+                             EarlyAt({"PendulumPlaced(pendulum)"}, shaft)}) {
     const Plan plan = PlanFrom(state);
     EXPECT_EQ(plan.result, Plan::Result::kFound) << plan.reason;
     EXPECT_EQ(plan.steps.size(), 10U);  // one off, then all nine
   }
+  // On an empty base the face plate finds no hold.
+  all.push_back("Clear(round_peg_1)");
+  const Plan plan = PlanFrom(EarlyAt({"FacePlateFrontPlaced(face_plate)",
+                                      "PegInHole(round_peg_1, base.round_2)"},
+                                     all));
+  EXPECT_EQ(plan.result, Plan::Result::kFound) << plan.reason;
+  EXPECT_EQ(plan.steps.size(), 9U);  // one off, then the other eight
 }
 
 // The monitor says that there is no plan, and what is needed.

@@ -37,6 +37,18 @@ std::string ErrorOf(const std::string& what, const std::string& by) {
   }
 }
 
+TEST(Demonstrations, ReadHowOftenAPersonTriesSomethingOut) {
+  const PartTable table =
+      PartTable::FromConfig(Config::Load(std::string(kTask) + "parts.yaml"));
+  const auto demonstrations = Demonstrations::FromConfig(
+      Config::Parse(ShippedText(), "demonstrators.yaml"), table);
+  EXPECT_EQ(demonstrations.scripts.at("attempts").attempts.low, 4);
+  EXPECT_EQ(demonstrations.scripts.at("attempts").attempts.high, 6);
+  EXPECT_EQ(demonstrations.scripts.at("assembly").attempts.high, 0);
+  EXPECT_THAT(ErrorOf("attempts: {count: [4, 6]}", "attempts: {count: [6, 4]}"),
+              testing::HasSubstr("should be [low, high]"));
+}
+
 TEST(Demonstrations, LoadsTheShippedTask) {
   EXPECT_EQ(ErrorOf("goal: ", "goal: "), "");
 }
