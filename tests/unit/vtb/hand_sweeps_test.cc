@@ -47,8 +47,9 @@ class HandSweeps : public testing::Test {
   const std::string task_ = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
   const CellLayout layout_ =
       CellLayout::FromConfig(Config::Load(task_ + "cell.yaml"));
-  World world_{
-      PartTable::FromConfig(Config::Load(task_ + "parts.yaml")), layout_, {}};
+  const PartTable parts_ =
+      PartTable::FromConfig(Config::Load(task_ + "parts.yaml"));
+  World world_{parts_, layout_, {}};
 };
 
 TEST_F(HandSweeps, NoBoxGoesFurtherThanItsTravel) {
@@ -78,6 +79,11 @@ TEST_F(HandSweeps, NoBoxGoesFurtherThanItsTravel) {
 }
 
 TEST_F(HandSweeps, AHandAtRestDoesNotTravel) {
+  double x = 2;  // all parts begin at one place, where they would collide
+  for (const Part& part : parts_.parts()) {
+    if (!part.is_free()) continue;
+    world_.Place(part.name, Isometry3d(Eigen::Translation3d(x += 0.5, 0, 0)));
+  }
   world_.Run(8);
   for (const HandSweep& sweep : SweepsOf(layout_, world_.hands())) {
     EXPECT_LT(sweep.travel, 1e-12);
