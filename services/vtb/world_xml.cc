@@ -89,8 +89,8 @@ class Writer {
         // Few contacts share a body: sparse is a third faster.
         "<option timestep='{:.17g}' cone='elliptic' jacobian='sparse'/>\n"
         // An assembly has 110 contacts and 450 rows, no run yet over 125 and
-        // 480; parts that a person tries on each other touch at more points. Memory
-        // grows with the square of the rows.
+        // 480; parts that a person tries on each other touch at more points.
+        // Memory grows with the square of the rows.
         "<size njmax='1000' nconmax='500'/>\n"
         // Contact settings that hold an assembly still (section IV).
         "<default><geom condim='4' friction='{:.17g} 0.005 0.0001'"

@@ -9,7 +9,7 @@
 
 #include "common/files/draft.h"
 #include "common/rexd/explorer.h"
-#include "common/rexd/ppddl_task.h"
+#include "common/rexd/ppddl_import.h"
 #include "common/rexd/test_run.h"
 #include "common/rules/rule_text.h"
 #include "services/cell/commands/rules_files.h"
@@ -30,17 +30,15 @@ struct Problems {
   std::vector<rexd::RexdTask> tests;
 };
 
-rexd::RexdTask LoadProblem(const ppddl::Domain& domain,
+rexd::RexdTask LoadProblem(const rexd::PpddlText& domain,
                            const std::string& file) {
-  auto task = rexd::FromPpddl(
-      domain, ppddl::ParseProblem(TextOfFile(file), file, domain));
-  if (!task) throw std::runtime_error(file + ": " + task.reason());
-  return *std::move(task);
+  return rexd::ParseRexdTask(
+      rexd::TaskOfPpddl(domain, {TextOfFile(file), file}), file);
 }
 
 Problems LoadProblems(const LearningCurveOptions& options) {
-  const ppddl::Domain domain =
-      ppddl::ParseDomain(TextOfFile(options.domain_file), options.domain_file);
+  const rexd::PpddlText domain{TextOfFile(options.domain_file),
+                               options.domain_file};
   Problems problems{LoadProblem(domain, options.learn_file), {}};
   for (const std::string& file : options.test_files) {
     problems.tests.push_back(LoadProblem(domain, file));

@@ -1,8 +1,8 @@
 #include "common/rexd/explorer.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include "common/rexd/ppddl_task.h"
+#include "common/rexd/ppddl_import.h"
 #include "common/rexd/test_run.h"
 #include "common/rules/rule_text.h"
 
@@ -10,7 +10,6 @@ namespace cell::rexd {
 namespace {
 
 using namespace rules;
-using testing::HasSubstr;
 
 // A lift carries a load up and down; a load fits only an empty one.
 constexpr char kLiftDomain[] = R"((define (domain lifts)
@@ -29,46 +28,13 @@ constexpr char kLiftProblem[] = R"((define (problem two) (:domain lifts)
   (:objects crate sack - load) (:init )
   (:goal (and (at-top crate) (at-top sack) (not (up))))))";
 
-Result<RexdTask> TaskOf(const std::string& domain_text,
-                        const std::string& problem_text = kLiftProblem) {
-  const auto domain = ppddl::ParseDomain(domain_text, "d");
-  return FromPpddl(domain, ppddl::ParseProblem(problem_text, "p", domain));
+RexdTask TaskOf(const std::string& domain) {
+  return ParseRexdTask(TaskOfPpddl({domain, "d"}, {kLiftProblem, "p"}), "p");
 }
 
 std::string Replaced(std::string text, const std::string& from,
                      const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
-}
-
-TEST(PpddlTask, HasARuleForEachActionAndTypesAsConditions) {
-  const auto task = TaskOf(kLiftDomain);
-  ASSERT_TRUE(task) << task.reason();
-  ASSERT_EQ(task->truth.rules.size(), 4u);
-  EXPECT_EQ(ToText(task->truth.rules[0], *task->truth.symbols),
-            "Action: put_in(X)\n"
-            "Preconditions: not up(), not full(), not at_top(X)\n"
-            "Effects:\n  1: in(X), full()\n  0: noise\n");
-  EXPECT_THAT(ToText(task->truth.rules[2], *task->truth.symbols),
-              HasSubstr("  0.75: not up()\n  0.25: nothing\n"));
-  // put_in and take_out of two loads, up and down.
-  EXPECT_EQ(GroundActs(*task->world, task->initial).size(), 6u);
-  EXPECT_FALSE(task->IsGoal(task->initial));
-  EXPECT_EQ(task->goal.size(), 3u);
-}
-
-TEST(PpddlTask, NamesWhatRulesHaveNoWordsFor) {
-  EXPECT_THAT(TaskOf(Replaced(kLiftDomain, "(not (up)) :effect (up)",
-                              "(not (up)) :effect (when (full) (up))"))
-                  .reason(),
-              HasSubstr("action 'go-up': its effects have a condition"));
-  EXPECT_THAT(
-      TaskOf(Replaced(kLiftDomain, "(and (in ?l) (up))", "(or (in ?l) (up))"))
-          .reason(),
-      HasSubstr("action 'take-out': its condition is no conjunction"));
-  EXPECT_THAT(
-      TaskOf(Replaced(kLiftDomain, "(up) (full))", "(up) (full) (load))"))
-          .reason(),
-      HasSubstr("are named 'load'"));
 }
 
 /// After so many actions of an explorer, which begins again after each 20: a
@@ -94,20 +60,18 @@ TEST(Explorer, LearnsEnoughToReachTheGoalWithoutATeacher) {
   // Each situation is tried once: nothing may fail by chance.
   const auto task = TaskOf(
       Replaced(kLiftDomain, "(probabilistic 0.75 (not (up)))", "(not (up))"));
-  ASSERT_TRUE(task);
   int num_reached = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const TestRun before = RunTest(Explore(*task, 2, seed), *task);
+    const TestRun before = RunTest(Explore(task, 2, seed), task);
     EXPECT_FALSE(before.is_goal_reached) << seed;
-    num_reached += RunTest(Explore(*task, 60, seed), *task).is_goal_reached;
+    num_reached += RunTest(Explore(task, 60, seed), task).is_goal_reached;
   }
   EXPECT_EQ(num_reached, 5);
 }
 
 TEST(Explorer, EqualSeedsGiveEqualRules) {
   const auto task = TaskOf(kLiftDomain);
-  ASSERT_TRUE(task);
-  EXPECT_EQ(ToText(Explore(*task, 30, 3)), ToText(Explore(*task, 30, 3)));
+  EXPECT_EQ(ToText(Explore(task, 30, 3)), ToText(Explore(task, 30, 3)));
 }
 
 TEST(Explorer, AWorldWithoutPossibleActionsIsAnError) {
@@ -120,11 +84,10 @@ TEST(Explorer, AWorldWithoutPossibleActionsIsAnError) {
 
 TEST(RunTest, TriesAgainWhatMayFailAndEndsAtTheGoal) {
   const auto task = TaskOf(kLiftDomain);
-  ASSERT_TRUE(task);
   for (uint64_t seed = 1; seed <= 10; ++seed) {
     TestRunParams params;
     params.seed = seed;
-    const TestRun run = RunTest(task->truth, *task, params);
+    const TestRun run = RunTest(task.truth, task, params);
     EXPECT_TRUE(run.is_goal_reached);
     EXPECT_GE(run.num_actions, 8);
   }
@@ -132,10 +95,9 @@ TEST(RunTest, TriesAgainWhatMayFailAndEndsAtTheGoal) {
 
 TEST(RunTest, FailsByRulesThatKnowNoWay) {
   const auto task = TaskOf(kLiftDomain);
-  ASSERT_TRUE(task);
-  NdrRules rules = task->truth;
+  NdrRules rules = task.truth;
   rules.rules.pop_back();
-  EXPECT_FALSE(RunTest(rules, *task).is_goal_reached);
+  EXPECT_FALSE(RunTest(rules, task).is_goal_reached);
 }
 
 }  // namespace
