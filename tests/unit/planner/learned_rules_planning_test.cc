@@ -1,5 +1,5 @@
 // What the shipped cell plans with the rules that it has learned.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
@@ -86,6 +86,25 @@ TEST_F(LearnedRulesPlanning, APartOutOfReachLeavesNoPlan) {
     EXPECT_EQ(plan.result, Plan::Result::kNoPlan) << part;
     ASSERT_EQ(plan.needed.size(), 1U) << part;
     EXPECT_EQ(plan.needed[0].atom, clear) << plan.reason;
+  }
+}
+
+TEST_F(LearnedRulesPlanning, TheRobotNamesThePartThatIsGone) {
+  for (const char* part : {"round_peg_1", "square_peg_2", "shaft", "separator",
+                           "pendulum", "head", "face_plate"}) {
+    State state = cranfield_.StartWithin("right");
+    const std::string name = part;
+    for (const std::string& atom :
+         {"Clear(" + name + ")", "Reachable(right, " + name + ")"}) {
+      state.Set(cranfield_.Atom(atom), Truth::kFalse);
+    }
+    const Plan plan = PlanFrom(state, Agent::kRobot);
+    EXPECT_EQ(plan.result, Plan::Result::kNoPlan) << part;
+    EXPECT_FALSE(plan.needed.empty()) << part << ": " << plan.reason;
+    for (const RequiredChange& needed : plan.needed) {
+      EXPECT_THAT(cranfield_.rules->vocabulary().AtomName(needed.atom),
+                  testing::HasSubstr(name));
+    }
   }
 }
 
