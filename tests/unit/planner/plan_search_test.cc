@@ -267,6 +267,24 @@ TEST(PlanSearch, NamesEveryPreconditionThatIsMissing) {
   EXPECT_THAT(plan.reason, testing::Not(HasSubstr("hall")));
 }
 
+// To flip all at once would raise the alarm, which nobody can call off.
+TEST(PlanSearch, NamesWhatConcernsOneObjectWhereFlippingAllIsNoWay) {
+  std::string text = kDoor;
+  text.replace(text.find("  Dark:"), 0, "  Alarm: {arguments: [room]}\n");
+  text.replace(text.find("not In(X)"), 0, "not Alarm(hall), ");
+  text.replace(text.find("goals:"), 0,
+               "  Answer:\n    arguments: {}\n    rules:\n"
+               "      - context: [Alarm(hall)]\n"
+               "        outcomes: [{probability: 1, effects: [In(hall)]}]\n"
+               "        noise: 0\n");
+  Puzzle problem(text);
+  const Plan plan = problem.Find({"In(hall)", "Dark(study)"});
+  EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
+  ASSERT_EQ(plan.needed.size(), 2U) << plan.reason;
+  EXPECT_THAT(plan.reason, HasSubstr("Unlocked(study) is false"));
+  EXPECT_THAT(plan.reason, HasSubstr("Dark(study) is true"));
+}
+
 TEST(PlanSearch, WhatIsUnknownLeavesThePlanUndecidedOnlyIfItMatters) {
   Puzzle problem(kDoor);
   State state = problem.With({"In(hall)"});
