@@ -73,6 +73,11 @@ RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
   std::map<std::string, TextLine> sections;
   std::string rest;
   for (TextLine& line : SplitLines(text, file)) {
+    const size_t begin = line.text.find_first_not_of(" \t");
+    if (begin != std::string::npos &&
+        line.text.compare(begin, 5, "each ") == 0) {
+      line.place.Fail("the rules of a task have no effects for each object");
+    }
     const size_t colon = line.text.find(':');
     const std::string key = line.text.substr(0, colon);
     const bool is_section =

@@ -30,6 +30,7 @@ struct RexdTask {
 ///   Action: put(X, Y)
 ///   ...
 ///
+/// Simplification: effects for each object ("each P: ...") are refused.
 /// @throws RuleError "file:line: ..."
 RexdTask ParseRexdTask(const std::string& text, const std::string& file);
 

@@ -4,6 +4,7 @@
 
 #include "common/rexd/rexd_run.h"
 #include "common/rules/data_text.h"
+#include "common/rules/rule_error.h"
 #include "tests/unit/rexd/placing_task.h"
 
 namespace cell::rexd {
@@ -29,6 +30,19 @@ class LearnerOfPlacing : public testing::Test {
   RexdTask task_ = PlacingTask();
   RexD learner_{task_, {}};
 };
+
+TEST(RexdTask, RefusesEffectsForEachObject) {
+  try {
+    ParseRexdTask(
+        "objects: a\nstart:\ngoal: p(a)\np 1 primitive\nact 0 action\n\n"
+        "Action: act()\nPreconditions:\nEffects:\n  1: nothing\n"
+        "    each P: p(P)\n  0: noise\n",
+        "t");
+    ADD_FAILURE();
+  } catch (const RuleError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("t:11: the rules of a task"));
+  }
+}
 
 TEST_F(LearnerOfPlacing, AsksWhenItKnowsNoAction) {
   EXPECT_EQ(learner_.Decide(task_.initial).kind, Decision::Kind::kAsk);
