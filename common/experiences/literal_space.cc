@@ -9,9 +9,7 @@ void ForEachLiteral(const std::vector<rules::Term>& terms,
                     const std::function<void(const rules::Literal&)>& visit) {
   for (size_t s = 0; s < world.symbols().all().size(); ++s) {
     const rules::Symbol& symbol = world.symbols().all()[s];
-    if (symbol.kind != rules::Symbol::Kind::kPrimitive || symbol.is_integer) {
-      continue;
-    }
+    if (!symbol.is_primitive_predicate()) continue;
     size_t number = 1;
     for (int i = 0; i < symbol.arity; ++i) number *= terms.size();
     for (size_t code = 0; code < number; ++code) {

@@ -112,17 +112,6 @@ class Translator {
     return !refusal_;
   }
 
-  const std::vector<int>& ArgumentTypes(int symbol) const {
-    const Vocabulary& vocabulary = world_.vocabulary();
-    if (const auto predicate = world_.PredicateOf(symbol)) {
-      return vocabulary.predicates()[static_cast<size_t>(*predicate)]
-          .argument_types;
-    }
-    return vocabulary
-        .static_relations()[static_cast<size_t>(*world_.StaticOf(symbol))]
-        .argument_types;
-  }
-
   /// What the literal says about the type of the reference that it defines.
   void Narrow(const rules::Literal& literal, int variable) {
     if (literal.symbol == rules::Literal::kSame ||
@@ -138,7 +127,7 @@ class Translator {
       if (types_.IsA(other, type)) type = other;
     };
     const std::string& name = world_.world()->symbols()[literal.symbol].name;
-    const auto& arguments = ArgumentTypes(literal.symbol);
+    const auto& arguments = world_.ArgumentTypes(literal.symbol);
     for (size_t i = 0; i < literal.terms.size(); ++i) {
       if (literal.terms[i].kind != rules::Term::Kind::kVariable ||
           literal.terms[i].index != variable) {
@@ -153,7 +142,7 @@ class Translator {
 
   /// Whether the literal's relation is defined for its terms.
   Match MatchTypes(const rules::Literal& literal) const {
-    const std::vector<int>& wanted = ArgumentTypes(literal.symbol);
+    const std::vector<int>& wanted = world_.ArgumentTypes(literal.symbol);
     Match match = Match::kAlways;
     for (size_t i = 0; i < literal.terms.size(); ++i) {
       const std::optional<int> type = TypeOf(literal.terms[i]);

@@ -178,6 +178,15 @@ std::optional<int> RuleWorld::StaticOf(int symbol) const {
   return vocabulary_->FindStatic(world_->symbols()[symbol].name);
 }
 
+const std::vector<int>& RuleWorld::ArgumentTypes(int symbol) const {
+  if (const auto predicate = PredicateOf(symbol)) {
+    return vocabulary_->predicates()[static_cast<size_t>(*predicate)]
+        .argument_types;
+  }
+  return vocabulary_->static_relations()[static_cast<size_t>(*StaticOf(symbol))]
+      .argument_types;
+}
+
 int RuleWorld::ActionOf(int symbol) const {
   const auto it = std::ranges::find(actions_, world_->symbols()[symbol].name,
                                     &Action::name);

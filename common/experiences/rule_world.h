@@ -45,6 +45,8 @@ class RuleWorld {
   int ObjectOf(int world_object) const;
   std::optional<int> PredicateOf(int symbol) const;
   std::optional<int> StaticOf(int symbol) const;
+  /// Of a predicate or a static relation.
+  const std::vector<int>& ArgumentTypes(int symbol) const;
   /// Place among the actions.
   int ActionOf(int symbol) const;
 

@@ -37,7 +37,7 @@ bool VariableTypes::Says(const rules::Literal& literal, int type) const {
 
 int VariableTypes::Wanted(const rules::Literal& literal) const {
   int type = TypeHierarchy::kObject;
-  const std::vector<int>& types = ArgumentTypes(literal.symbol);
+  const std::vector<int>& types = world_.ArgumentTypes(literal.symbol);
   for (size_t i = 0; i < literal.terms.size(); ++i) {
     const rules::Term& term = literal.terms[i];
     if (term.kind == rules::Term::Kind::kVariable && term.index == variable_) {
@@ -71,17 +71,6 @@ int VariableTypes::NamedType(const rules::Literal& literal) const {
   const auto type =
       hierarchy().Find(world_.world()->symbols()[literal.symbol].name);
   return literal.terms.size() == 1 && type ? *type : TypeHierarchy::kObject;
-}
-
-const std::vector<int>& VariableTypes::ArgumentTypes(int symbol) const {
-  const Vocabulary& vocabulary = world_.vocabulary();
-  if (const auto predicate = world_.PredicateOf(symbol)) {
-    return vocabulary.predicates()[static_cast<size_t>(*predicate)]
-        .argument_types;
-  }
-  return vocabulary
-      .static_relations()[static_cast<size_t>(*world_.StaticOf(symbol))]
-      .argument_types;
 }
 
 }  // namespace cell

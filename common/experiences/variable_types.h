@@ -37,7 +37,6 @@ class VariableTypes {
   const TypeHierarchy& hierarchy() const { return world_.vocabulary().types(); }
   int Narrower(int a, int b) const { return IsA(b, a) ? b : a; }
   int NamedType(const rules::Literal& literal) const;
-  const std::vector<int>& ArgumentTypes(int symbol) const;
 
   const RuleWorld& world_;
   int variable_;

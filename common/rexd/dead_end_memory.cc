@@ -23,10 +23,7 @@ DeadEndMemory::Facts DeadEndMemory::FactsOf(const WorldState& state) const {
   Facts facts;
   for (size_t s = 0; s < world.symbols().all().size(); ++s) {
     const int symbol = static_cast<int>(s);
-    if (world.symbols()[symbol].kind != Symbol::Kind::kPrimitive ||
-        world.symbols()[symbol].is_integer) {
-      continue;
-    }
+    if (!world.symbols()[symbol].is_primitive_predicate()) continue;
     for (int i = 0; i < world.num_places(symbol); ++i) {
       const int place = world.first(symbol) + i;
       const bool holds = World::Get(state, place);

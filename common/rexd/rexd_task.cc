@@ -114,8 +114,7 @@ RexdTask WithoutPredicate(const RexdTask& task, const std::string& predicate) {
   const auto speaks = [&](const std::vector<Literal>& literals) {
     return std::ranges::count(literals, *symbol, &Literal::symbol) > 0;
   };
-  if (!symbol || world.symbols()[*symbol].kind != Symbol::Kind::kPrimitive ||
-      world.symbols()[*symbol].is_integer) {
+  if (!symbol || !world.symbols()[*symbol].is_primitive_predicate()) {
     throw RuleError("the task", 0,
                     fmt::format("there is no predicate '{}'", predicate));
   }

@@ -67,7 +67,7 @@ class RuleTaskGrounder {
   /// When the ground atom is true.
   Alternatives WhenTrue(int symbol, const std::vector<int>& objects) {
     const Symbol& s = world_.symbols()[symbol];
-    if (s.kind == Symbol::Kind::kPrimitive && !s.is_integer) {
+    if (s.is_primitive_predicate()) {
       return {planning::Conjunction{{{AtomOf(symbol, objects), true}}, {}}};
     }
     if (s.kind != Symbol::Kind::kConjunction) {

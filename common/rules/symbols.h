@@ -45,6 +45,10 @@ struct Symbol {
   bool is_derived() const {
     return kind != Kind::kAction && kind != Kind::kPrimitive;
   }
+  /// True or false in a state, and not derived from others.
+  bool is_primitive_predicate() const {
+    return kind == Kind::kPrimitive && !is_integer;
+  }
 };
 
 /// The symbols of a domain and the constants that rules may name, without the

@@ -43,10 +43,8 @@ rules::Literal DrawLiteral(const rules::Rule& rule, const rules::World& world,
                            rules::RandomNumbers* random) {
   std::vector<int> predicates;
   for (size_t i = 0; i < world.symbols().all().size(); ++i) {
-    const rules::Symbol& symbol = world.symbols().all()[i];
-    const bool is_predicate =
-        symbol.kind == rules::Symbol::Kind::kPrimitive && !symbol.is_integer;
-    if (is_predicate) predicates.push_back(static_cast<int>(i));
+    if (!world.symbols().all()[i].is_primitive_predicate()) continue;
+    predicates.push_back(static_cast<int>(i));
   }
   rules::Literal literal{
       OneOf(predicates, random), {}, rules::Comparison::kTrue, 0};
