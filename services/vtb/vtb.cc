@@ -228,12 +228,11 @@ void Vtb::OnTick() {
   world_.Run(steps_per_tick_);
   for (const auto& arm : arms_) arm->Publish(world_);
   if (bus_.tick() % params_.truth_period_ticks == 0) PublishTruth();
-  if (episode_.is_running) PublishActions();
-  if (episode_.is_running) PublishAttempt();
-  if (episode_.is_running && bus_.tick() % kRunningPeriod == 0) {
-    PublishEpisode(episode_t::RUNNING);
-  }
-  if (episode_.is_running && !GiveUpWaiting() && IsOver()) EndOrGoOn();
+  if (!episode_.is_running) return;
+  PublishActions();
+  PublishAttempt();
+  if (bus_.tick() % kRunningPeriod == 0) PublishEpisode(episode_t::RUNNING);
+  if (!GiveUpWaiting() && IsOver()) EndOrGoOn();
 }
 
 /// Ends the run if its robot waits for an operator who is not there. Episodes
