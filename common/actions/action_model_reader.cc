@@ -104,9 +104,7 @@ std::optional<int> FindUndone(const ActionRecord& record, const Action& action,
   if (!undone) {
     Fail(record, "undoes", "there is no action '" + record.undoes + "'");
   }
-  const auto& arguments = domain.actions()[*undone].arguments;
-  if (!std::ranges::equal(arguments, action.arguments, {}, &Variable::type,
-                          &Variable::type)) {
+  if (!domain.actions()[*undone].TakesArgumentsOf(action)) {
     Fail(record, "undoes", "'" + record.undoes + "' takes other arguments");
   }
   return undone;
@@ -118,10 +116,7 @@ void RequireSameArguments(const ActionRecord& record, const Action& action,
   const auto known = domain.FindAction(record.name);
   if (!known) return;
   const Action& kept = domain.actions()[*known];
-  if (std::ranges::equal(kept.arguments, action.arguments, {}, &Variable::type,
-                         &Variable::type)) {
-    return;
-  }
+  if (kept.TakesArgumentsOf(action)) return;
   std::vector<std::string> types;
   for (const Variable& argument : kept.arguments) {
     types.push_back(domain.vocabulary().types().name(argument.type));

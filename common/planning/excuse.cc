@@ -168,7 +168,8 @@ class ExcuseSearch {
     const Regression after(graph_, changes);
     Excuse excuse;
     for (const Literal& l : changes) {
-      RequiredChange change{l, {}, !graph_.ProducersOf(l).empty()};
+      RequiredChange change{
+          l, {}, !graph_.ProducersOf(l).empty(), graph_.IsOfGoal(l)};
       for (const GroundAction& action : task_.actions) {
         if (change.needed_by.size() == kMaxNeededBy) break;
         const bool is_there =
@@ -198,15 +199,15 @@ class ExcuseSearch {
 };
 
 /// What needs the change: an action, or the goal itself.
-std::string NeederOf(const RequiredChange& change, const GroundTask& task) {
-  if (CausalGraph(task).IsOfGoal(change.literal)) return "the goal";
+std::string NeederOf(const RequiredChange& change) {
+  if (change.is_of_goal) return "the goal";
   return change.needed_by.empty() ? "" : change.needed_by.front();
 }
 
 std::string Explain(const RequiredChange& change, const GroundTask& task,
                     const Words& words) {
   const Literal opposite{change.literal.atom, !change.literal.value};
-  std::string text = NeederOf(change, task);
+  std::string text = NeederOf(change);
   if (!text.empty()) {
     text += " needs: " + Say(change.literal, task, words) + "; but ";
   }

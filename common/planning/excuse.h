@@ -15,6 +15,7 @@ struct RequiredChange {
   Literal literal;
   std::vector<std::string> needed_by;  ///< actions, at most three
   bool has_producer = false;  ///< an action could bring it about elsewhere
+  bool is_of_goal = false;    ///< the goal asks for it
   bool operator==(const RequiredChange&) const = default;
 };
 

@@ -45,6 +45,11 @@ bool Action::MayBeDoneBy(Agent agent) const {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
 }
 
+bool Action::TakesArgumentsOf(const Action& other) const {
+  return std::ranges::equal(arguments, other.arguments, {}, &Variable::type,
+                            &Variable::type);
+}
+
 std::vector<ApplicableRule> ApplicableRules(const Action& action,
                                             const Binding& arguments,
                                             const State& state,

@@ -63,6 +63,8 @@ struct Action {
   std::optional<SkillBinding> skill;  ///< how an arm does it
 
   bool MayBeDoneBy(Agent agent) const;
+  /// True if the arguments of both have the same types.
+  bool TakesArgumentsOf(const Action& other) const;
   bool operator==(const Action&) const = default;
 };
 

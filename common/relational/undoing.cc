@@ -44,11 +44,6 @@ Literals CommonChangesOf(const Action& action) {
   return common;
 }
 
-bool TakeSameArguments(const Action& a, const Action& b) {
-  return std::ranges::equal(a.arguments, b.arguments, {}, &Variable::type,
-                            &Variable::type);
-}
-
 }  // namespace
 
 std::optional<int> DeriveUndone(const Action& action,
@@ -67,7 +62,7 @@ std::optional<int> DeriveUndone(const Action& action,
   };
   std::optional<int> undone;
   for (size_t i = 0; i < actions.size(); ++i) {
-    if (!TakeSameArguments(action, actions[i])) continue;
+    if (!action.TakesArgumentsOf(actions[i])) continue;
     Literals achieved = CommonChangesOf(actions[i]);
     std::erase_if(achieved, [&](const Literal& literal) {
       return literal.is_negated || !goal_predicates.contains(literal.relation);

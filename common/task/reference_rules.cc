@@ -1,7 +1,5 @@
 #include "common/task/reference_rules.h"
 
-#include <algorithm>
-
 #include "common/task/task_actions.h"
 
 namespace cell {
@@ -12,8 +10,7 @@ Domain WithReferenceRules(Domain domain, const Config& file) {
     if (!known) node.Fail("domain.yaml has no action '" + name + "'");
     Action action = domain.actions()[static_cast<size_t>(*known)];
     const Action reference = LoadAction(name, node, domain.vocabulary());
-    if (!std::ranges::equal(action.arguments, reference.arguments, {},
-                            &Variable::type, &Variable::type)) {
+    if (!action.TakesArgumentsOf(reference)) {
       node["arguments"].Fail("are others in domain.yaml");
     }
     action.rules = reference.rules;

@@ -1,6 +1,5 @@
 #include "common/task/task_actions.h"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -19,8 +18,7 @@ std::optional<int> UndoneByChains(const Action& action,
   std::optional<int> undone;
   for (size_t i = 0; i < actions.size(); ++i) {
     if (!shown.contains(actions[i].name) ||
-        !std::ranges::equal(actions[i].arguments, action.arguments, {},
-                            &Variable::type, &Variable::type)) {
+        !actions[i].TakesArgumentsOf(action)) {
       continue;
     }
     if (undone) return std::nullopt;

@@ -182,9 +182,7 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   Excuse because{"cannot be reached: " + MissingLiterals(space, state, goal),
                  {}};
   const auto has_plan = [&](const std::vector<int>& flipped) {
-    const Plan::Result result = solve(Flipped(here, flipped)).result;
-    return result == Plan::Result::kFound ||
-           result == Plan::Result::kGoalReached;
+    return solve(Flipped(here, flipped)).leads_to_goal();
   };
   const std::vector<int> excuse = LeastExcuse(
       Obstacles(space, state, goal), space.rules().vocabulary(), has_plan);

@@ -122,10 +122,7 @@ std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
     }
   }
   const Plan plan = solver_->Find(state);
-  if (plan.result == Plan::Result::kFound ||
-      plan.result == Plan::Result::kGoalReached) {
-    return plan.expected_actions;
-  }
+  if (plan.leads_to_goal()) return plan.expected_actions;
   return last_decided_;
 }
 
@@ -155,8 +152,7 @@ void Monitor::Forget() {
 Decisions Monitor::Report(std::vector<Alert> alerts, bool has_acted) {
   const SensedState& latest = states_.rbegin()->second;
   PlanOfState plan{latest.key_frame, latest.utime, solver_->Find(latest.state)};
-  if (!last_decided_ && (plan.plan.result == Plan::Result::kFound ||
-                         plan.plan.result == Plan::Result::kGoalReached)) {
+  if (!last_decided_ && plan.plan.leads_to_goal()) {
     last_decided_ = plan.plan.expected_actions;
   }
   Decisions out{.alerts = std::move(alerts)};

@@ -6,11 +6,11 @@ namespace cell::planner {
 
 std::optional<State> MostLikelyOutcome(const RuleSet& rules,
                                        const GroundAction& action,
-                                       const State& state) {
+                                       const State& state, Agent agent) {
   const Action& lifted = rules.ActionOf(action);
   const State known = state.UnknownAsFalse();
   const auto applicable = ApplicableRules(lifted, action.arguments, known,
-                                          rules.vocabulary(), Agent::kRobot);
+                                          rules.vocabulary(), agent);
   if (applicable.size() != 1) return std::nullopt;
   const auto& outcomes = lifted.rules[applicable[0].rule].outcomes;
   const auto likeliest = std::max_element(

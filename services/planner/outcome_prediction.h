@@ -6,11 +6,12 @@
 
 namespace cell::planner {
 
-/// The state after the likeliest outcome of the robot's action; nullopt if no
+/// The state after the likeliest outcome of the agent's action; nullopt if no
 /// rule covers `state`, or several do.
 std::optional<State> MostLikelyOutcome(const RuleSet& rules,
                                        const GroundAction& action,
-                                       const State& state);
+                                       const State& state,
+                                       Agent agent = Agent::kRobot);
 
 /// True if the robot's action is possible in `state` whatever its unknown
 /// atoms are.

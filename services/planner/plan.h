@@ -42,6 +42,11 @@ struct Plan {
   /// All actions from which the goal can be reached, best first.
   std::vector<PlanStep> next;
   bool operator==(const Plan&) const = default;
+
+  /// True if the goal is reached, or can be.
+  bool leads_to_goal() const {
+    return result == Result::kFound || result == Result::kGoalReached;
+  }
 };
 
 /// The plan for what was sensed at a key frame.

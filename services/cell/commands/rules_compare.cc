@@ -92,11 +92,6 @@ struct PlanCounts {
   int64_t num_invalid = 0;  ///< the first step is impossible by the reference
 };
 
-bool HasPlan(const Plan& plan) {
-  return plan.result == Plan::Result::kFound ||
-         plan.result == Plan::Result::kGoalReached;
-}
-
 bool IsPossible(const RuleSet& rules, const GroundAction& action,
                 const State& state) {
   return ApplicableRules(rules.ActionOf(action), action.arguments, state,
@@ -107,8 +102,8 @@ bool IsPossible(const RuleSet& rules, const GroundAction& action,
 void Count(const Plan& reference, const Plan& learned, bool is_invalid,
            PlanCounts* counts) {
   counts->num_invalid += is_invalid;
-  if (HasPlan(reference) != HasPlan(learned)) {
-    ++(HasPlan(reference) ? counts->num_lost : counts->num_gained);
+  if (reference.leads_to_goal() != learned.leads_to_goal()) {
+    ++(reference.leads_to_goal() ? counts->num_lost : counts->num_gained);
   } else if (learned.steps.size() == reference.steps.size()) {
     ++counts->num_same;
   } else {

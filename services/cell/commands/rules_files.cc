@@ -4,22 +4,18 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
-#include "common/experiences/experience_text.h"
 #include "common/rules/data_text.h"
 #include "common/rules/rule_text.h"
 #include "common/text/nearest.h"
+#include "services/cell/learning/experienced_episodes.h"
 
 namespace cell::cli {
 
 namespace fs = std::filesystem;
-namespace {
-
-constexpr char kExperiences[] = ".experiences";
-
-}  // namespace
 
 std::string TextOfFile(const fs::path& path) {
   std::ifstream file(path);
@@ -52,26 +48,9 @@ rules::ExperienceSet LoadExperiences(const fs::path& data,
 
 std::vector<rules::Experience> TaskExperiences(const fs::path& folder,
                                                const RuleWorld& world) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == kExperiences) {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  if (files.empty()) {
-    throw std::runtime_error(folder.string() + ": has no file *" +
-                             kExperiences +
-                             "; cell rules record makes them from runs");
-  }
-  std::ranges::sort(files);
   std::vector<rules::Experience> experiences;
-  for (const fs::path& file : files) {
-    for (auto& experience :
-         ReadExperiences(TextOfFile(file), file.string(), world)) {
-      experiences.push_back(std::move(experience));
-    }
+  for (ExperiencedEpisode& episode : EpisodesIn(folder, world)) {
+    std::ranges::move(episode.experiences, std::back_inserter(experiences));
   }
   return experiences;
 }

@@ -218,7 +218,8 @@ std::optional<ExcuseCase> DamagedPpddl::Draw(uint64_t seed) const {
   for (const planning::Excuse& excuse : found.excuses) {
     ppddl::Problem changed = problem;
     result.excuses.emplace_back();
-    for (const auto& [literal, needed_by, has_producer] : excuse.changes) {
+    for (const planning::RequiredChange& change : excuse.changes) {
+      const planning::Literal& literal = change.literal;
       result.excuses.back().push_back(literal);
       SetAtFirst(result.task.atoms[static_cast<size_t>(literal.atom)],
                  literal.value, domain_, &changed);

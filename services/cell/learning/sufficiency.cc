@@ -1,11 +1,11 @@
 #include "services/cell/learning/sufficiency.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "common/experiences/rule_conversion.h"
 #include "common/experiences/rule_lessons.h"
+#include "services/planner/outcome_prediction.h"
 #include "services/planner/plan_search.h"
 
 namespace cell::cli {
@@ -13,27 +13,6 @@ namespace {
 
 using planner::Plan;
 using planner::PlanSearch;
-
-bool HasPlan(const Plan& plan) {
-  return plan.result == Plan::Result::kFound ||
-         plan.result == Plan::Result::kGoalReached;
-}
-
-/// The state after the most likely outcome of the only rule that applies;
-/// nullopt if none or several do.
-std::optional<State> MostLikelyAfter(const GroundAction& action,
-                                     const State& state, const RuleSet& world) {
-  const Action& lifted = world.ActionOf(action);
-  const auto applicable = ApplicableRules(lifted, action.arguments, state,
-                                          world.vocabulary(), Agent::kPerson);
-  if (applicable.size() != 1) return std::nullopt;
-  const NdrRule& rule =
-      lifted.rules[static_cast<size_t>(applicable.front().rule)];
-  const auto likely =
-      std::ranges::max_element(rule.outcomes, {}, &Outcome::probability);
-  if (likely == rule.outcomes.end()) return std::nullopt;
-  return Apply(*likely, applicable.front().binding, state, world.vocabulary());
-}
 
 }  // namespace
 
@@ -44,7 +23,7 @@ Sufficiency JudgeSufficiency(const std::shared_ptr<const RuleSet>& rules,
   PlanSearch search({rules, goal, Agent::kPerson}, {});
   std::vector<State> without;
   for (const State& start : starts) {
-    if (!HasPlan(search.Find(start))) without.push_back(start);
+    if (!search.Find(start).leads_to_goal()) without.push_back(start);
   }
   judged.num_without_plan = static_cast<int>(without.size());
   judged.is_sufficient = without.empty();
@@ -52,7 +31,7 @@ Sufficiency JudgeSufficiency(const std::shared_ptr<const RuleSet>& rules,
     if (without.empty()) break;
     PlanSearch alone({rules, {goal.name, {literal}}, Agent::kPerson}, {});
     const bool is_covered = std::ranges::all_of(
-        without, [&](const State& s) { return HasPlan(alone.Find(s)); });
+        without, [&](const State& s) { return alone.Find(s).leads_to_goal(); });
     if (!is_covered) judged.uncovered.push_back(literal);
   }
   return judged;
@@ -84,7 +63,8 @@ bool ReachesGoal(const std::shared_ptr<const RuleSet>& rules, const Goal& goal,
     const Plan plan = search.Find(state);
     if (plan.result == Plan::Result::kGoalReached) return true;
     if (plan.result != Plan::Result::kFound || plan.steps.empty()) return false;
-    const auto after = MostLikelyAfter(plan.steps.front().action, state, world);
+    const auto after = planner::MostLikelyOutcome(
+        world, plan.steps.front().action, state, Agent::kPerson);
     if (after) state = *after;
   }
   return false;
