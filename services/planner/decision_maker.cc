@@ -35,6 +35,14 @@ DecisionMaker::Answer DecisionMaker::ReplaceRules(
   return state_->SetRules(rules_);
 }
 
+void DecisionMaker::SetExperiences(
+    std::shared_ptr<const std::vector<TaskExperience>> experiences) {
+  if (params_.execution.exploration) {
+    params_.execution.exploration->experiences = experiences;
+  }
+  state_->SetExperiences(std::move(experiences));
+}
+
 Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {
   Decisions out = state_->Conclude(now);
   state_ = std::make_unique<Idle>();

@@ -26,6 +26,9 @@ class DecisionState {
   virtual void SetPermission(bool /*may_act*/, Instant) {}
   /// Replaces the rule set and plans again at once.
   virtual Decisions SetRules(std::shared_ptr<const RuleSet>) { return {}; }
+  /// What the rules were learned from, if the cell learns.
+  virtual void SetExperiences(
+      std::shared_ptr<const std::vector<TaskExperience>>) {}
 
   /// True if an episode with a replaceable goal runs.
   virtual bool HasGoal() const { return false; }

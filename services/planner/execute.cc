@@ -20,7 +20,34 @@ Execute::Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
 
 Decisions Execute::OnSensed(const SensedState& sensed) {
   context_.sensing.Update(sensed);
-  return {};
+  Decisions out;
+  if (context_.sensing.Fresh() != nullptr) EndTrials(out);
+  return out;
+}
+
+/// The arms' own skills, which only robots have, are not learned.
+void Execute::BeginTrial(const EndedSkill& ended) {
+  if (!context_.params.exploration || !ended.counts || !ended.skill.action) {
+    return;
+  }
+  const RuleSet& rules = context_.plan.rules();
+  const Action& action = rules.ActionOf(*ended.skill.action);
+  if (!action.MayBeDoneBy(Agent::kPerson)) return;
+  context_.trials.push_back({action.name, ended.skill.action->arguments,
+                             Agent::kRobot, ended.skill.before, State(0)});
+}
+
+/// What is sensed now is what came of them.
+void Execute::EndTrials(Decisions& out) {
+  const Vocabulary& vocabulary = context_.plan.rules().vocabulary();
+  for (TaskExperience& trial : context_.trials) {
+    trial.before = WithoutArms(trial.before, vocabulary);
+    trial.after = WithoutArms(context_.sensing.Fresh()->state, vocabulary);
+    context_.lesson_utime =
+        context_.sensing.Fresh()->utime + context_.params.lesson_us;
+    out.experiences.push_back(std::move(trial));
+  }
+  context_.trials.clear();
 }
 
 Decisions Execute::OnAction(const DoneAction& action) {
@@ -43,6 +70,7 @@ void Execute::OnSkillResult(const SkillResult& result) {
 
 void Execute::OnSkillEnd(const EndedSkill& ended) {
   context_.sensing.RequireSince(ended.utime + context_.params.settle_us);
+  BeginTrial(ended);
   state_->OnSkillEnd(ended);
 }
 
@@ -53,7 +81,15 @@ void Execute::SetPermission(bool may_act, Instant now) {
 
 Decisions Execute::SetRules(std::shared_ptr<const RuleSet> rules) {
   context_.plan.SetRules(std::move(rules));
+  context_.lesson_utime = 0;
   return {};
+}
+
+void Execute::SetExperiences(
+    std::shared_ptr<const std::vector<TaskExperience>> experiences) {
+  if (context_.params.exploration) {
+    context_.params.exploration->experiences = std::move(experiences);
+  }
 }
 
 Decisions Execute::SetGoal(const Goal& goal) {

@@ -50,12 +50,14 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
   if (context.dialogue.IsPersonAtWork(state, now)) {
     return std::make_unique<AwaitPerson>();
   }
+  if (now.utime < context.lesson_utime) return nullptr;
   context.dispatch.failures().Update(state);
   const Plan& plan =
       context.plan.Find(state, context.dispatch.failures().Blocked());
   if (auto changed = context.plan.TakeIfNew(*context.sensing.Fresh())) {
     out.plan = std::move(changed);
   }
+  if (Explore(context, state, now, out)) return nullptr;
   switch (plan.result) {
     case Plan::Result::kFound:
       return Begin(context, state, now, out);
@@ -65,6 +67,22 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
     default:
       return std::make_unique<Undecided>(state);
   }
+}
+
+/// Tries what it does not know well enough. False if there is nothing.
+bool Act::Explore(ExecutionContext& context, const State& state, Instant now,
+                  Decisions& out) {
+  if (!context.params.exploration ||
+      context.plan.get().result == Plan::Result::kGoalReached) {
+    return false;
+  }
+  const auto action =
+      LeastTried(context.plan.rules(), state, context.NotToBegin(),
+                 context.params.exploration->known_count);
+  const auto request = action ? context.RequestToArm(*action) : std::nullopt;
+  if (!request || !context.dispatch.IsFree(request->arm)) return false;
+  context.dispatch.Start(*request, *action, state, now, out);
+  return true;
 }
 
 NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,

@@ -16,6 +16,8 @@ class Act final : public ExecutionState {
   /// Of a plan to the goal.
   static NextState Begin(ExecutionContext& context, const State& state,
                          Instant now, Decisions& out);
+  static bool Explore(ExecutionContext& context, const State& state,
+                      Instant now, Decisions& out);
   static void HandOver(ExecutionContext& context, const State& state,
                        Instant now, Decisions& out);
 };

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "common/relational/request_words.h"
 #include "services/planner/current_plan.h"
 #include "services/planner/dialogue.h"
+#include "services/planner/exploration.h"
 #include "services/planner/sensing.h"
 #include "services/planner/skill_dispatch.h"
 
@@ -22,6 +25,10 @@ struct ExecutionParams {
   /// Steps that are left to a person: the cell asks for them.
   std::set<GroundAction> help_steps = {};
   RequestWords requests = {};  ///< how the person is asked
+  /// If the cell learns: how it explores.
+  std::optional<Exploration> exploration = {};
+  /// [us] for an experience to become a rule, before anything else is done.
+  int64_t lesson_us = 400'000;
 };
 
 /// What the states of an execution work with.
@@ -32,7 +39,17 @@ struct ExecutionContext {
   Sensing sensing;
   Dialogue dialogue;
   bool may_act = false;  ///< the cell's mode lets arms begin something
+  /// Trials whose result has not been sensed yet.
+  std::vector<TaskExperience> trials = {};
+  /// [us] Until then the last experience may still become a rule.
+  int64_t lesson_utime = 0;
 
+  /// Actions that the robot is not to begin now.
+  std::set<GroundAction> NotToBegin() const {
+    std::set<GroundAction> blocked = dispatch.failures().Blocked();
+    blocked.insert(params.help_steps.begin(), params.help_steps.end());
+    return blocked;
+  }
   /// True if arms may begin something. First it asks arms with an interrupted
   /// skill to go free.
   bool MayBegin(Instant now, Decisions& out) {

@@ -15,6 +15,10 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
                               const State& state) {
   const Plan& plan = context.plan.get();
   const RequestWords& requests = context.params.requests;
+  if (plan.result == Plan::Result::kNotLearned) {
+    return AskForDemonstration(plan, context.plan.rules().vocabulary(),
+                               requests);
+  }
   if (plan.result == Plan::Result::kNoPlan) {
     return AskForHelp(context.plan, state, context.dispatch.failures(),
                       requests);
@@ -26,17 +30,27 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
                       : plan.reason};
 }
 
-/// Does what does not depend on a person's help. False if there is nothing.
+/// What does not depend on a person's help, or is worth a try.
+std::optional<GroundAction> ChooseMeanwhile(const ExecutionContext& context,
+                                            const State& state) {
+  const Plan::Result result = context.plan.get().result;
+  const bool has_no_plan = result == Plan::Result::kNoPlan;
+  if (!has_no_plan && result != Plan::Result::kNotLearned) return std::nullopt;
+  const std::set<GroundAction> blocked = context.NotToBegin();
+  std::optional<GroundAction> action;
+  if (has_no_plan) action = StepMeanwhile(context.plan, state, blocked);
+  if (!action && context.params.exploration) {
+    action = StepWithoutPlan(context.plan, state, blocked,
+                             *context.params.exploration);
+  }
+  return action;
+}
+
+/// False if there is nothing to do.
 bool BeginMeanwhile(ExecutionContext& context, const State& state, Instant now,
                     Decisions& out) {
-  if (context.plan.get().result != Plan::Result::kNoPlan ||
-      !context.dispatch.running().empty()) {
-    return false;
-  }
-  std::set<GroundAction> blocked = context.dispatch.failures().Blocked();
-  blocked.insert(context.params.help_steps.begin(),
-                 context.params.help_steps.end());
-  const auto action = StepMeanwhile(context.plan, state, blocked);
+  if (!context.dispatch.running().empty()) return false;
+  const auto action = ChooseMeanwhile(context, state);
   if (!action) return false;
   const auto request = context.RequestToArm(*action);
   if (!request || !context.dispatch.IsFree(request->arm)) return false;
