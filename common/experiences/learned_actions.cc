@@ -38,9 +38,9 @@ void CountExperiences(std::span<const TaskExperience> experiences,
     if (!ground) continue;
     Action& action = (*actions)[static_cast<size_t>(ground->action)];
     const State before = experience.before.UnknownAsFalse();
-    for (const ApplicableRule& applicable : ApplicableRules(
-             action, ground->arguments, before, vocabulary,
-             action.agents.front())) {
+    for (const ApplicableRule& applicable :
+         ApplicableRules(action, ground->arguments, before, vocabulary,
+                         action.agents.front())) {
       ++action.rules[static_cast<size_t>(applicable.rule)].num_experiences;
     }
   }

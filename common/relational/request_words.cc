@@ -110,10 +110,9 @@ std::optional<std::string> RequestWords::ToMake(
   if (it == templates.end()) return std::nullopt;
   std::vector<std::string> names;
   for (size_t i = 0; i < literal.terms.size(); ++i) {
-    names.push_back(
-        literal.terms[i].kind == Term::Kind::kObject
-            ? vocabulary.objects()[literal.terms[i].index].name
-            : vocabulary.types().name(predicate.argument_types[i]));
+    names.push_back(literal.terms[i].kind == Term::Kind::kObject
+                        ? vocabulary.objects()[literal.terms[i].index].name
+                        : vocabulary.types().name(predicate.argument_types[i]));
   }
   return Filled(it->second, names);
 }

@@ -48,6 +48,11 @@ class DecisionMaker {
   void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>> experiences);
 
+  /// An operator lets arms do a learned action for the first time. Refused, in
+  /// plain words, for an action that is not known, or if the cell does not
+  /// learn.
+  Answer Confirm(const std::string& action);
+
   Decisions OnEpisode(const Episode& episode, Instant now);
   void OnEpisodeEnd(Instant now);
   /// Refused for an unknown name, and if no episode runs.

@@ -30,6 +30,9 @@ class DecisionState {
   virtual void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>>) {}
 
+  /// An operator lets arms do a learned action for the first time.
+  virtual void Confirm(const std::string& /*action*/) {}
+
   /// True if an episode with a replaceable goal runs.
   virtual bool HasGoal() const { return false; }
   virtual Decisions SetGoal(const Goal&) { return {}; }

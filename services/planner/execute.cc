@@ -92,6 +92,12 @@ void Execute::SetExperiences(
   }
 }
 
+void Execute::Confirm(const std::string& action) {
+  if (!context_.params.exploration) return;
+  context_.params.exploration->confirmed.insert(action);
+  state_ = std::make_unique<AwaitRest>();
+}
+
 Decisions Execute::SetGoal(const Goal& goal) {
   context_.plan.SetGoal(goal);
   context_.dispatch.failures().Clear();

@@ -28,6 +28,7 @@ class Execute final : public DecisionState {
   Decisions SetRules(std::shared_ptr<const RuleSet> rules) override;
   void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>> experiences) override;
+  void Confirm(const std::string& action) override;
   bool HasGoal() const override { return true; }
   /// From the end of what runs on.
   Decisions SetGoal(const Goal& goal) override;

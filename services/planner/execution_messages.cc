@@ -145,6 +145,7 @@ skill_request_t ToMessage(const SkillRequest& request,
   message.deadline_utime = request.deadline_utime;
   message.arm = objects[request.arm].name;
   message.skill = request.skill;
+  message.is_careful = request.is_careful ? 1 : 0;
   SkillArguments arguments;
   for (const auto& [name, object] : request.arguments) {
     arguments[name] = objects[object].name;

@@ -60,6 +60,17 @@ std::optional<GroundAction> StepTowardsOne(
 
 }  // namespace
 
+bool IsNewToArms(const Action& action,
+                 std::span<const TaskExperience> experiences) {
+  const bool is_learned = std::ranges::any_of(
+      action.rules,
+      [](const NdrRule& rule) { return rule.num_experiences > 0; });
+  return is_learned &&
+         std::ranges::none_of(experiences, [&](const TaskExperience& e) {
+           return e.agent == Agent::kRobot && e.action == action.name;
+         });
+}
+
 std::optional<GroundAction> LeastTried(const RuleSet& rules, const State& state,
                                        const std::set<GroundAction>& blocked,
                                        int known_count) {
@@ -86,8 +97,8 @@ std::optional<GroundAction> StepWithoutPlan(
   const std::vector<Goal> goals =
       GoalsByLiteral(plan.problem().goal, subgoals, state, rules.vocabulary());
   if (goals.empty()) return std::nullopt;
-  if (const auto step = StepTowardsOne(plan, plan.shared_rules(), goals, state,
-                                       blocked)) {
+  if (const auto step =
+          StepTowardsOne(plan, plan.shared_rules(), goals, state, blocked)) {
     return step;
   }
   const auto alternatives = AlternativesIn(

@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "common/experiences/task_experience.h"
@@ -15,8 +17,15 @@ namespace cell::planner {
 struct Exploration {
   /// An action is known where its rule was learned from so many experiences.
   int known_count = 2;
+  /// An operator has to let an arm do what it has learned for the first time.
+  bool needs_confirmation = true;
+  std::set<std::string> confirmed = {};  ///< actions
   std::shared_ptr<const std::vector<TaskExperience>> experiences;
 };
+
+/// True of an action that was learned and that no arm has done yet.
+bool IsNewToArms(const Action& action,
+                 std::span<const TaskExperience> experiences);
 
 /// Of the actions that rules learned from too few experiences expect to change
 /// something now, the one that was tried least; nullopt: the state is known.

@@ -36,9 +36,9 @@ std::shared_ptr<const RuleSet> Knowledge::TakeChange(int64_t version) {
 
 Domain Knowledge::WithLearnedRules() {
   Domain domain = domain_;
-  const auto actions = LearnActions(
-      *experiences_, domain.actions(), domain.goals(),
-      std::make_shared<const Vocabulary>(domain.vocabulary()));
+  const auto actions =
+      LearnActions(*experiences_, domain.actions(), domain.goals(),
+                   std::make_shared<const Vocabulary>(domain.vocabulary()));
   why_not_.reset();
   if (!actions) {
     why_not_ = actions.reason();

@@ -31,7 +31,7 @@ struct Plan {
     kGoalReached,
     kNoPlan,
     kNotLearned,  ///< no rule brings about some of the goal
-    kUndecided  ///< depends on atoms that are unknown, or is too large
+    kUndecided    ///< depends on atoms that are unknown, or is too large
   };
   Result result = Result::kUndecided;
   std::string reason;  ///< in plain words, if there is no plan

@@ -53,8 +53,7 @@ Plan PlanSearch::Find(const State& state) {
 }
 
 Plan PlanSearch::FindWithoutReason(const State& state) {
-  if (auto unlearned = UnlearnedLiterals(problem_, state);
-      !unlearned.empty()) {
+  if (auto unlearned = UnlearnedLiterals(problem_, state); !unlearned.empty()) {
     return {.result = Plan::Result::kNotLearned,
             .reason = WhyNotLearned(unlearned, vocabulary()),
             .unlearned = std::move(unlearned)};

@@ -33,6 +33,8 @@ Planner::Planner(Bus& bus, Knowledge knowledge,
       decision_maker_(std::move(decision_maker)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
+  AnswerCommands<command_confirm_t>(
+      bus_, "COMMAND_CONFIRM", [this](const auto& m) { return OnConfirm(m); });
   AnswerCommands<command_goal_t>(bus_, "COMMAND_GOAL",
                                  [this](const auto& m) { return OnGoal(m); });
   bus_.Subscribe<operating_mode_t>("MODE",
@@ -80,6 +82,12 @@ bool Planner::OnEpisode(const episode_t& message) {
         {has_joined_late, message.agent, message.goal}, Now()));
   }
   return event.has_value();
+}
+
+CommandAnswer Planner::OnConfirm(const command_confirm_t& message) {
+  const DecisionMaker::Answer answer = decision_maker_->Confirm(message.action);
+  if (!answer) return CommandAnswer::Refuse(answer.reason());
+  return CommandAnswer::Accept("arms may do " + message.action);
 }
 
 CommandAnswer Planner::OnGoal(const command_goal_t& message) {
@@ -205,8 +213,9 @@ void Planner::Publish(const Decisions& decisions) {
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
   const Domain domain = LoadTask(deployment).domain;
   auto decision_maker = LoadDecisionMaker(domain, deployment);
-  return std::make_unique<Planner>(bus, Knowledge(domain, decision_maker->is_learning()),
-                                   std::move(decision_maker));
+  return std::make_unique<Planner>(
+      bus, Knowledge(domain, decision_maker->is_learning()),
+      std::move(decision_maker));
 }
 
 }  // namespace cell::planner

@@ -5,6 +5,7 @@
 
 #include "cell/action_record_t.hpp"
 #include "cell/arm_report_t.hpp"
+#include "cell/command_confirm_t.hpp"
 #include "cell/command_goal_t.hpp"
 #include "cell/experience_t.hpp"
 #include "cell/operating_mode_t.hpp"
@@ -34,6 +35,7 @@ class Planner final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
+  CommandAnswer OnConfirm(const command_confirm_t& message);
   CommandAnswer OnGoal(const command_goal_t& message);
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);

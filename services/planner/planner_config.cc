@@ -55,8 +55,9 @@ ExecutionParams LoadExecution(const Config& config, const RuleSet& rules) {
 }
 
 Exploration LoadExploration(const Config& config) {
-  return {config.Integer("known_count", 1, 1000),
-          std::make_shared<const std::vector<TaskExperience>>()};
+  return {.known_count = config.Integer("known_count", 1, 1000),
+          .needs_confirmation = config.Get<bool>("confirmation"),
+          .experiences = std::make_shared<const std::vector<TaskExperience>>()};
 }
 
 Watch::Params LoadWatch(const Config& config) {

@@ -189,8 +189,8 @@ std::optional<ShownAction> ShownActionFrom(const recognised_action_t& message,
       message.place_key_frame < message.pick_key_frame) {
     return std::nullopt;
   }
-  ShownAction shown{message.name, {}, false, message.pick_key_frame,
-                    message.place_key_frame};
+  ShownAction shown{
+      message.name, {}, false, message.pick_key_frame, message.place_key_frame};
   for (const std::string& name : message.arguments) {
     const auto object = vocabulary.FindObject(name);
     if (!object) return std::nullopt;

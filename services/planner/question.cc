@@ -136,9 +136,9 @@ ExecutionStatus AskForDemonstration(const Plan& not_learned,
                                     const RequestWords& requests) {
   std::vector<std::string> words;
   for (const Literal& literal : not_learned.unlearned) {
-    words.push_back(requests.ToMake(literal, vocabulary)
-                        .value_or("make sure that " +
-                                  Show(literal, {}, vocabulary)));
+    words.push_back(
+        requests.ToMake(literal, vocabulary)
+            .value_or("make sure that " + Show(literal, {}, vocabulary)));
   }
   return {.state = ExecutionStatus::State::kStuck,
           .text = fmt::format("please show me {}, which I have not learned "
@@ -161,6 +161,15 @@ std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
 std::string AskForStep(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests) {
   return "please " + WordsFor(action, rules, requests);
+}
+
+ExecutionStatus AskForConfirmation(const GroundAction& action,
+                                   const RuleSet& rules) {
+  const std::string& name = rules.ActionOf(action).name;
+  return {.state = ExecutionStatus::State::kStuck,
+          .text = fmt::format("{} was learned, and no arm has done it yet: let "
+                              "me do {} at half speed (cell confirm {})",
+                              name, rules.Show(action), name)};
 }
 
 std::string AskForView(const GroundAction& action, const RuleSet& rules,

@@ -33,6 +33,10 @@ std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
 std::string AskForStep(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests);
 
+/// The question before an arm does for the first time what it has learned.
+ExecutionStatus AskForConfirmation(const GroundAction& action,
+                                   const RuleSet& rules);
+
 /// The question when sensing cannot decide whether the next step is possible.
 std::string AskForView(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests);

@@ -152,8 +152,8 @@ std::vector<Dropped> DroppableIn(const RuleSet& rules, const State& state) {
       found.push_back(std::move(dropped));
     }
   }
-  std::ranges::stable_sort(
-      found, {}, [](const Dropped& d) { return d.literals.size(); });
+  std::ranges::stable_sort(found, {},
+                           [](const Dropped& d) { return d.literals.size(); });
   return found;
 }
 

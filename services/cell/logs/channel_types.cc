@@ -11,6 +11,7 @@
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
 #include "cell/attempt_t.hpp"
+#include "cell/command_confirm_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -71,6 +72,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"ATTEMPT", Of<attempt_t>()},
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
+      {"COMMAND_CONFIRM", Of<command_confirm_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
       {"COMMAND_LIBRARY", Of<command_library_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},

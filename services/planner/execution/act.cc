@@ -57,7 +57,12 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
   if (auto changed = context.plan.TakeIfNew(*context.sensing.Fresh())) {
     out.plan = std::move(changed);
   }
-  if (Explore(context, state, now, out)) return nullptr;
+  if (context.params.exploration && plan.result != Plan::Result::kGoalReached) {
+    const auto action =
+        LeastTried(context.plan.rules(), state, context.NotToBegin(),
+                   context.params.exploration->known_count);
+    if (action) return BeginAction(context, *action, state, now, out);
+  }
   switch (plan.result) {
     case Plan::Result::kFound:
       return Begin(context, state, now, out);
@@ -69,28 +74,11 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
   }
 }
 
-/// Tries what it does not know well enough. False if there is nothing.
-bool Act::Explore(ExecutionContext& context, const State& state, Instant now,
-                  Decisions& out) {
-  if (!context.params.exploration ||
-      context.plan.get().result == Plan::Result::kGoalReached) {
-    return false;
-  }
-  const auto action =
-      LeastTried(context.plan.rules(), state, context.NotToBegin(),
-                 context.params.exploration->known_count);
-  const auto request = action ? context.RequestToArm(*action) : std::nullopt;
-  if (!request || !context.dispatch.IsFree(request->arm)) return false;
-  context.dispatch.Start(*request, *action, state, now, out);
-  return true;
-}
-
 NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
                      Decisions& out) {
   const RuleSet& rules = context.plan.rules();
   const GroundAction& action = context.plan.get().steps.at(0).action;
-  const auto request = context.RequestToArm(action);
-  if (!request) {
+  if (!context.RequestToArm(action)) {
     return std::make_unique<Ask>(
         state, ExecutionStatus{
                    .state = ExecutionStatus::State::kStuck,
@@ -100,8 +88,20 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
   if (!IsSurelyPossible(rules, action, state)) {
     return std::make_unique<Undecided>(state);
   }
-  if (!context.dispatch.IsFree(request->arm)) return nullptr;
-  context.dispatch.Start(*request, action, state, now, out);
+  return BeginAction(context, action, state, now, out);
+}
+
+/// An operator has to let arms do what is new to them.
+NextState Act::BeginAction(ExecutionContext& context,
+                           const GroundAction& action, const State& state,
+                           Instant now, Decisions& out) {
+  const auto request = context.RequestToArm(action);
+  if (!request || !context.dispatch.IsFree(request->arm)) return nullptr;
+  if (context.AwaitsConfirmation(action)) {
+    return std::make_unique<Ask>(
+        state, AskForConfirmation(action, context.plan.rules()));
+  }
+  context.Start(*request, action, state, now, out);
   HandOver(context, state, now, out);
   return nullptr;
 }
@@ -115,7 +115,7 @@ void Act::HandOver(ExecutionContext& context, const State& state, Instant now,
     if (!request || !MayHandOver(step.action, *request, context, state)) {
       continue;
     }
-    context.dispatch.Start(*request, step.action, state, now, out);
+    context.Start(*request, step.action, state, now, out);
   }
 }
 

@@ -12,12 +12,16 @@ class Act final : public ExecutionState {
   NextState Step(ExecutionContext& context, Instant now,
                  Decisions& out) override;
 
+  /// What comes after asking for the action, which must be possible now, if the
+  /// arm is free and may do it; nullptr: Act.
+  static NextState BeginAction(ExecutionContext& context,
+                               const GroundAction& action, const State& state,
+                               Instant now, Decisions& out);
+
  private:
   /// Of a plan to the goal.
   static NextState Begin(ExecutionContext& context, const State& state,
                          Instant now, Decisions& out);
-  static bool Explore(ExecutionContext& context, const State& state,
-                      Instant now, Decisions& out);
   static void HandOver(ExecutionContext& context, const State& state,
                        Instant now, Decisions& out);
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "common/relational/request_words.h"
@@ -62,6 +63,24 @@ struct ExecutionContext {
   std::optional<SkillRequest> RequestToArm(const GroundAction& action) const {
     if (params.help_steps.contains(action)) return std::nullopt;
     return RequestFor(action, plan.rules());
+  }
+
+  /// True of an action that was learned and that no arm has done yet.
+  bool IsNew(const GroundAction& action) const {
+    return params.exploration && IsNewToArms(plan.rules().ActionOf(action),
+                                             *params.exploration->experiences);
+  }
+  /// True of one that an operator has to let arms do.
+  bool AwaitsConfirmation(const GroundAction& action) const {
+    return IsNew(action) && params.exploration->needs_confirmation &&
+           !params.exploration->confirmed.contains(
+               plan.rules().ActionOf(action).name);
+  }
+  /// Asks the arm, which must be free.
+  void Start(SkillRequest request, const GroundAction& action,
+             const State& state, Instant now, Decisions& out) {
+    request.is_careful = IsNew(action);
+    dispatch.Start(std::move(request), action, state, now, out);
   }
 
   /// What was sensed and what arms report. @pre the sensed state is fresh.

@@ -1,6 +1,7 @@
 #include "services/planner/execution/undecided.h"
 
 #include <set>
+#include <utility>
 
 #include "services/planner/execution/act.h"
 #include "services/planner/execution/ask.h"
@@ -46,16 +47,15 @@ std::optional<GroundAction> ChooseMeanwhile(const ExecutionContext& context,
   return action;
 }
 
-/// False if there is nothing to do.
-bool BeginMeanwhile(ExecutionContext& context, const State& state, Instant now,
-                    Decisions& out) {
-  if (!context.dispatch.running().empty()) return false;
+/// The state that follows; nullptr if there is nothing to do.
+NextState BeginMeanwhile(ExecutionContext& context, const State& state,
+                         Instant now, Decisions& out) {
+  if (!context.dispatch.running().empty()) return nullptr;
   const auto action = ChooseMeanwhile(context, state);
-  if (!action) return false;
-  const auto request = context.RequestToArm(*action);
-  if (!request || !context.dispatch.IsFree(request->arm)) return false;
-  context.dispatch.Start(*request, *action, state, now, out);
-  return true;
+  const auto request = action ? context.RequestToArm(*action) : std::nullopt;
+  if (!request || !context.dispatch.IsFree(request->arm)) return nullptr;
+  NextState next = Act::BeginAction(context, *action, state, now, out);
+  return next ? std::move(next) : std::make_unique<Act>();
 }
 
 }  // namespace
@@ -66,9 +66,7 @@ NextState Undecided::Step(ExecutionContext& context, Instant now,
     return next;
   }
   if (!context.dialogue.IsPatient(now)) {
-    if (BeginMeanwhile(context, state_, now, out)) {
-      return std::make_unique<Act>();
-    }
+    if (NextState next = BeginMeanwhile(context, state_, now, out)) return next;
     return std::make_unique<Ask>(state_, QuestionAbout(context, state_));
   }
   context.sensing.Ask(now, context.params.sense_period_us, out);

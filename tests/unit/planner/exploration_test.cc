@@ -48,9 +48,9 @@ TEST_F(ExplorationTest, WhatNoRuleBringsAboutIsNotLearned) {
   const State start = bench_.Start();
   const Plan plan = PlanOf(start).get();
   EXPECT_EQ(plan.result, Plan::Result::kNotLearned);
-  EXPECT_THAT(Names(plan.unlearned),
-              ElementsAre("In(_, box.hole_1)", "In(_, box.hole_2)",
-                          "Closed(lid)"));
+  EXPECT_THAT(
+      Names(plan.unlearned),
+      ElementsAre("In(_, box.hole_1)", "In(_, box.hole_2)", "Closed(lid)"));
   EXPECT_THAT(plan.reason, HasSubstr("no action is known after which"));
 }
 
@@ -62,8 +62,8 @@ TEST_F(ExplorationTest, WhatHoldsAlreadyNeedsNoRule) {
 
 TEST_F(ExplorationTest, OneShowingMakesARuleThatIsNotKnownYet) {
   bench_.Learn(bench_.Inserted("bolt_1", "box.hole_1", bench_.Start()));
-  const Action& action = *std::ranges::find(bench_.rules->actions(), "Insert",
-                                            &Action::name);
+  const Action& action =
+      *std::ranges::find(bench_.rules->actions(), "Insert", &Action::name);
   ASSERT_FALSE(action.rules.empty());
   for (const NdrRule& rule : action.rules) EXPECT_EQ(rule.num_experiences, 1);
   EXPECT_THAT(Names(PlanOf(bench_.Start()).get().unlearned),
@@ -108,11 +108,12 @@ TEST_F(ExplorationTest, GivesUpAnAlternativeThatExperiencesSpeakAgainst) {
   const State start = bench_.Start();
   bench_.Learn(bench_.Inserted("bolt_1", "box.hole_1", start));
   const State one = bench_.With(start, "In(bolt_1, box.hole_1)");
-  const auto before = AlternativesIn(
-      *bench_.rules, one, *bench_.knowledge.experiences(), 2);
+  const auto before =
+      AlternativesIn(*bench_.rules, one, *bench_.knowledge.experiences(), 2);
   ASSERT_FALSE(before.empty());
   for (int i = 0; i < 2; ++i) {
-    bench_.Learn(bench_.Experience("Insert", {"bolt_2", "box.hole_2"}, one, one));
+    bench_.Learn(
+        bench_.Experience("Insert", {"bolt_2", "box.hole_2"}, one, one));
   }
   EXPECT_EQ(Step(one), "");
 }
@@ -139,15 +140,14 @@ TEST_F(ExplorationTest, WhatDependsOnTheUnlearnedIsNoSubgoal) {
   bench_.Learn(bench_.Experience("Close", {"lid"}, start, start));
   const CurrentPlan plan = PlanOf(start);
   EXPECT_THAT(Names(plan.get().unlearned), SizeIs(2));
-  const Goal subgoals =
-      Subgoals(plan.problem(), start, plan.get().unlearned);
+  const Goal subgoals = Subgoals(plan.problem(), start, plan.get().unlearned);
   EXPECT_THAT(Names(subgoals.literals), IsEmpty());
   EXPECT_EQ(Step(start), "");
 }
 
 TEST_F(ExplorationTest, ExperiencesOfUnknownActionsWaitForTheirRecord) {
-  bench_.Learn(bench_.Experience("Polish", {"lid"}, bench_.Start(),
-                                 bench_.Start()));
+  bench_.Learn(
+      bench_.Experience("Polish", {"lid"}, bench_.Start(), bench_.Start()));
   EXPECT_THAT(*bench_.knowledge.experiences(), SizeIs(1));
   ActionRecord record;
   record.id = 1;

@@ -88,7 +88,7 @@ struct LearningBench {
     }
   }
   const planner::Exploration Exploring() const {
-    return {2, knowledge.experiences()};
+    return {.experiences = knowledge.experiences()};
   }
 
   int num_experiences = 0;
