@@ -42,6 +42,8 @@ class SecLearner {
     size_t group = 0;  ///< for Name()
     ActionDirection direction = ActionDirection::kForward;
     bool is_new = false;  ///< nothing like it was shown before
+    /// In the roles of the action's model; empty unless all have one.
+    Binding objects = {};
   };
   struct Action {
     std::string name;

@@ -27,8 +27,51 @@ const ActionModel* Find(const ActionModels& actions, const std::string& name) {
   return nullptr;
 }
 
+}  // namespace
+
+Learning::Learning(const ActionModels& actions,
+                   std::optional<GenericSkill> hands)
+    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure), {}),
+      hands_(std::move(hands)) {
+  for (const ActionModel& model : actions.models()) {
+    if (model.sec) learner_.Know(model.action.name, *model.sec);
+  }
+}
+
+std::optional<Learning::Taught> Learning::OnManipulation(
+    const ObservedManipulation& manipulation, const std::string& source,
+    const ActionModels& actions) {
+  last_ = learner_.Add(manipulation, source, BuildVersion());
+  if (!last_) return std::nullopt;
+  has_news_ = true;
+  return TaughtBy(*last_, actions);
+}
+
+/// What was undone says nothing of how the action is done.
+std::optional<Learning::Taught> Learning::TaughtBy(
+    const SecLearner::Lesson& lesson, const ActionModels& actions) const {
+  if (lesson.direction != ActionDirection::kForward || lesson.objects.empty()) {
+    return std::nullopt;
+  }
+  const Vocabulary& vocabulary = actions.domain().vocabulary();
+  const SecLearner::Action learned = learner_.ActionOf(lesson);
+  const ActionModel* known = Find(actions, learned.name);
+  const auto order = ArgumentsOf(
+      learned.model.roles,
+      known != nullptr ? known->action.arguments : learned.model.roles,
+      vocabulary.types());
+  if (!order) return std::nullopt;
+  Taught taught{learned.name, std::vector<std::string>(order->size())};
+  for (size_t role = 0; role < order->size(); ++role) {
+    taught.arguments[(*order)[role]] =
+        vocabulary.objects()[static_cast<size_t>(lesson.objects[role])].name;
+  }
+  return taught;
+}
+
 /// An action without a description in the domain: its effects are those seen.
-Action ActionOf(const SecLearner::Action& learned) {
+/// Arms can do it if the generic skill does what was seen.
+Action Learning::ActionOf(const SecLearner::Action& learned) const {
   const LearnedModel& model = learned.model;
   NdrRule rule;
   rule.agents = {Agent::kPerson};
@@ -39,28 +82,14 @@ Action ActionOf(const SecLearner::Action& learned) {
   }
   rule.outcomes = {{1 - kNoise, {effect}}};
   rule.noise = kNoise;
-  return {.name = learned.name,
-          .arguments = model.roles,
-          .agents = {Agent::kPerson},
-          .undoes = {},
-          .rules = {rule},
-          .skill = {}};
-}
-
-}  // namespace
-
-Learning::Learning(const ActionModels& actions)
-    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure),
-               {}) {
-  for (const ActionModel& model : actions.models()) {
-    if (model.sec) learner_.Know(model.action.name, *model.sec);
-  }
-}
-
-void Learning::OnManipulation(const ObservedManipulation& manipulation,
-                              const std::string& source) {
-  last_ = learner_.Add(manipulation, source, BuildVersion());
-  has_news_ = has_news_ || last_.has_value();
+  Action action{.name = learned.name,
+                .arguments = model.roles,
+                .agents = {Agent::kPerson},
+                .undoes = {},
+                .rules = {rule},
+                .skill = hands_ ? hands_->For(model) : std::nullopt};
+  if (action.skill) action.agents.push_back(Agent::kRobot);
+  return action;
 }
 
 Result<std::string> Learning::Name(const std::string& name, bool is_undone,
@@ -146,9 +175,11 @@ std::optional<ActionRecord> Learning::ChangeOf(
   if (known != nullptr) {
     model = *known;
     ++model.version;
-    if (model.action.agents.empty()) model.action = ActionOf(learned);
-  } else {
+  }
+  if (model.action.agents.empty()) {
     model.action = ActionOf(learned);
+    model.skill_settings =
+        model.action.skill ? SettingsOf(*model.action.skill) : "";
   }
   const auto fitted = FitToArguments(learned.model, model.action.arguments,
                                      actions.domain().vocabulary().types());

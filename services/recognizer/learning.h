@@ -10,6 +10,7 @@
 #include "common/actions/action_record.h"
 #include "common/result/result.h"
 #include "common/sec/sec_learner.h"
+#include "services/recognizer/generic_skill.h"
 
 namespace cell::recognizer {
 
@@ -17,11 +18,21 @@ namespace cell::recognizer {
 /// record of the library.
 class Learning {
  public:
-  explicit Learning(const ActionModels& actions);
+  /// @param hands  how arms do actions that are new; nothing: they do not
+  explicit Learning(const ActionModels& actions,
+                    std::optional<GenericSkill> hands = std::nullopt);
 
+  /// An action with the names of its objects, in the order of its record.
+  struct Taught {
+    std::string action;
+    std::vector<std::string> arguments;
+  };
+  /// The action that the manipulation has taught something, unless it was
+  /// undone.
   /// @param source  names the demonstration
-  void OnManipulation(const ObservedManipulation& manipulation,
-                      const std::string& source);
+  std::optional<Taught> OnManipulation(const ObservedManipulation& manipulation,
+                                       const std::string& source,
+                                       const ActionModels& actions);
   /// A manipulation that shows nothing by itself: it cannot be named.
   void OnMixture() { last_.reset(); }
   /// A person's name of the manipulation that was observed last; `is_undone`:
@@ -41,6 +52,9 @@ class Learning {
   void OnRefusal() { requested_.clear(); }
 
  private:
+  std::optional<Taught> TaughtBy(const SecLearner::Lesson& lesson,
+                                 const ActionModels& actions) const;
+  Action ActionOf(const SecLearner::Action& learned) const;
   void WidenTo(const std::vector<Variable>& arguments, size_t group,
                const TypeHierarchy& types);
   std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,
@@ -48,6 +62,7 @@ class Learning {
                                        bool keeps_confirmations) const;
 
   SecLearner learner_;
+  std::optional<GenericSkill> hands_;
   std::optional<SecLearner::Lesson> last_;
   bool has_news_ = false;
   bool keeps_confirmations_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ class Recognizer final : public Service {
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
     bool is_learning = false;
+    /// How arms do actions that are new; nothing: they do not.
+    std::optional<GenericSkill> hands = {};
 
     /// Of recognizer.yaml and the task. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment);
@@ -62,8 +65,10 @@ class Recognizer final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
-  ActionModels actions_;                      // updated by ACTION_RECORD
-  std::optional<Learning> learning_;          // if it learns
+  ActionModels actions_;              // updated by ACTION_RECORD
+  std::optional<Learning> learning_;  // if it learns
+  /// Of unknown manipulations of the present key frame, by part.
+  std::map<std::string, Learning::Taught> taught_;
   std::string demonstration_;                 // that is shown
   std::unique_ptr<Recognition> recognition_;  // of the episode
   int64_t last_key_frame_ = -1;

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "common/actions/sec_models.h"
 #include "services/recognizer/recognition.h"
@@ -23,7 +25,7 @@ class LearningTest : public testing::Test {
  protected:
   LearningTest() {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      learning_->OnManipulation(manipulation, "test 1");
+      taught_ = learning_->OnManipulation(manipulation, "test 1", actions_);
     });
   }
 
@@ -62,6 +64,7 @@ class LearningTest : public testing::Test {
   const ShippedTask task_;
   ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
   std::optional<Learning> learning_{std::in_place, actions_};
+  std::optional<Learning::Taught> taught_;
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
@@ -158,6 +161,108 @@ TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   const auto records = Store();
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_EQ(records[0].name, "Action2");
+}
+
+TEST_F(LearningTest, AnUnknownManipulationTellsTheRecordThatItTaught) {
+  Seat("round_peg_1", "base.round_1");
+  ASSERT_TRUE(taught_);
+  EXPECT_EQ(taught_->action, "Action1");
+  EXPECT_THAT(taught_->arguments,
+              testing::ElementsAre("round_peg_1", "base.round_1"));
+  Seat("round_peg_2", "base.round_2");  // it joins what is not stored yet
+  ASSERT_TRUE(taught_);
+  EXPECT_EQ(taught_->action, "Action1");
+  EXPECT_THAT(taught_->arguments,
+              testing::ElementsAre("round_peg_2", "base.round_2"));
+}
+
+TEST_F(LearningTest, ArgumentsAreInTheOrderOfTheRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  ActionModel turned = actions_.models().back();
+  ASSERT_EQ(turned.action.name, "Action1");
+  std::ranges::reverse(turned.action.arguments);
+  turned.action.rules.clear();
+  turned.sec = *FitToArguments(*turned.sec, turned.action.arguments,
+                               task_.domain.vocabulary().types());
+  const ActionModels only_turned(task_.domain, task_.parts, {turned});
+  Learning learning(only_turned);
+  recognition_.SetObserver([&](const auto& manipulation, const auto&) {
+    taught_ = learning.OnManipulation(manipulation, "test 2", only_turned);
+  });
+  Seat("round_peg_2", "base.round_2");
+  ASSERT_TRUE(taught_);
+  EXPECT_THAT(taught_->arguments,
+              testing::ElementsAre("base.round_2", "round_peg_2"));
+}
+
+TEST_F(LearningTest, WhatIsUndoneTellsNoRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  EXPECT_FALSE(taught_);
+}
+
+class LearningWithArmsTest : public LearningTest {
+ protected:
+  LearningWithArmsTest() { learning_.emplace(actions_, Hands()); }
+
+  GenericSkill Hands() const {
+    const Vocabulary& vocabulary = task_.domain.vocabulary();
+    return GenericSkill(
+        vocabulary, task_.geometries,
+        *GenericSkill::ArmThatInserts(task_.layout.arms, vocabulary));
+  }
+};
+
+TEST_F(LearningWithArmsTest, ANewActionIsDoneByInsertingAtItsSite) {
+  Seat("round_peg_1", "base.round_1");
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
+  EXPECT_EQ(records[0].skill, "{name: insert, part: X, site: Y, arm: right}");
+  EXPECT_EQ(records[0].skill_settings, "insertion");
+  EXPECT_THAT(records[0].rules, HasSubstr("agents:\n    - person"))
+      << "nobody has seen an arm do it";
+}
+
+TEST_F(LearningWithArmsTest, ASiteThatIsNoArgumentIsThatOfThePredicate) {
+  Seat("separator", "base.separator");
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_EQ(records[0].skill,
+            "{name: insert, part: X, site: base.separator, arm: right}");
+}
+
+TEST_F(LearningWithArmsTest, WhatEndsAtNoSiteIsLeftToPeople) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_EQ(records[0].skill, "");
+  EXPECT_EQ(records[0].skill_settings, "");
+}
+
+TEST_F(LearningWithArmsTest, TheArmWithAForceSensorInserts) {
+  const Vocabulary& vocabulary = task_.domain.vocabulary();
+  auto arms = task_.layout.arms;
+  const auto chosen = [&] {
+    const auto arm = GenericSkill::ArmThatInserts(arms, vocabulary);
+    return arm ? vocabulary.objects()[static_cast<size_t>(*arm)].name : "";
+  };
+  for (ArmLayout& arm : arms) arm.X_FS.reset();
+  EXPECT_EQ(chosen(), "");
+  for (ArmLayout& arm : arms) {
+    arm.X_FS.emplace(Eigen::Isometry3d::Identity());
+    EXPECT_EQ(chosen(), arm.name);
+    arm.X_FS.reset();
+  }
+  for (ArmLayout& arm : arms) arm.X_FS.emplace(Eigen::Isometry3d::Identity());
+  for (ArmLayout& arm : arms) {
+    const int precedence = std::exchange(arm.precedence, 0);
+    EXPECT_EQ(chosen(), arm.name) << "the others make way for it";
+    arm.precedence = precedence;
+  }
 }
 
 }  // namespace
