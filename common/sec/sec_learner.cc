@@ -30,19 +30,6 @@ double Overlap(const LiteralSet& a, const LiteralSet& b, size_t num_more) {
                              static_cast<size_t>(num_common));
 }
 
-/// The showing's objects in the roles of a group; empty unless all have one.
-Binding ObjectsIn(const RoleMap& places, const Showing& showing,
-                  size_t num_roles) {
-  Binding objects(num_roles);
-  std::vector<bool> is_filled(num_roles, false);
-  for (size_t role = 0; role < places.size(); ++role) {
-    if (!places[role]) continue;
-    objects[*places[role]] = showing.objects[role];
-    is_filled[*places[role]] = true;
-  }
-  return std::ranges::count(is_filled, false) > 0 ? Binding() : objects;
-}
-
 bool IsOfMovedPartAlone(const Literal& literal) {
   return std::ranges::all_of(literal.terms,
                              [](const Term& term) { return term.index == 0; });
@@ -134,8 +121,12 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
   group.Add(ContributionOf(is_forward ? *showing : showing->Reversed(),
                            best.places, group.types.size(), source, build),
             types());
-  return Lesson{found, best.direction, is_new,
-                ObjectsIn(best.places, *showing, group.types.size())};
+  Lesson lesson{found, best.direction, is_new, Binding(group.types.size(), -1)};
+  for (size_t role = 0; role < showing->objects.size(); ++role) {
+    if (best.places[role])
+      lesson.objects[*best.places[role]] = showing->objects[role];
+  }
+  return lesson;
 }
 
 void SecLearner::Widen(size_t group, const std::vector<int>& wider) {

@@ -42,7 +42,7 @@ class SecLearner {
     size_t group = 0;  ///< for Name()
     ActionDirection direction = ActionDirection::kForward;
     bool is_new = false;  ///< nothing like it was shown before
-    /// In the roles of the action's model; empty unless all have one.
+    /// In the roles of the group's model; -1: the showing has none there.
     Binding objects = {};
   };
   struct Action {

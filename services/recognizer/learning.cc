@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/actions/action_model_writer.h"
@@ -29,48 +30,16 @@ const ActionModel* Find(const ActionModels& actions, const std::string& name) {
 
 }  // namespace
 
-Learning::Learning(const ActionModels& actions,
-                   std::optional<GenericSkill> hands)
+Learning::Learning(const ActionModels& actions, GenericSkill skill)
     : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure), {}),
-      hands_(std::move(hands)) {
+      skill_(std::move(skill)) {
   for (const ActionModel& model : actions.models()) {
     if (model.sec) learner_.Know(model.action.name, *model.sec);
   }
 }
 
-std::optional<Learning::Taught> Learning::OnManipulation(
-    const ObservedManipulation& manipulation, const std::string& source,
-    const ActionModels& actions) {
-  last_ = learner_.Add(manipulation, source, BuildVersion());
-  if (!last_) return std::nullopt;
-  has_news_ = true;
-  return TaughtBy(*last_, actions);
-}
-
-/// What was undone says nothing of how the action is done.
-std::optional<Learning::Taught> Learning::TaughtBy(
-    const SecLearner::Lesson& lesson, const ActionModels& actions) const {
-  if (lesson.direction != ActionDirection::kForward || lesson.objects.empty()) {
-    return std::nullopt;
-  }
-  const Vocabulary& vocabulary = actions.domain().vocabulary();
-  const SecLearner::Action learned = learner_.ActionOf(lesson);
-  const ActionModel* known = Find(actions, learned.name);
-  const auto order = ArgumentsOf(
-      learned.model.roles,
-      known != nullptr ? known->action.arguments : learned.model.roles,
-      vocabulary.types());
-  if (!order) return std::nullopt;
-  Taught taught{learned.name, std::vector<std::string>(order->size())};
-  for (size_t role = 0; role < order->size(); ++role) {
-    taught.arguments[(*order)[role]] =
-        vocabulary.objects()[static_cast<size_t>(lesson.objects[role])].name;
-  }
-  return taught;
-}
-
-/// An action without a description in the domain: its effects are those seen.
-/// Arms can do it if the generic skill does what was seen.
+/// An action without a description in the domain: its effects are those seen,
+/// and arms can do it if it ends at a site.
 Action Learning::ActionOf(const SecLearner::Action& learned) const {
   const LearnedModel& model = learned.model;
   NdrRule rule;
@@ -87,9 +56,41 @@ Action Learning::ActionOf(const SecLearner::Action& learned) const {
                 .agents = {Agent::kPerson},
                 .undoes = {},
                 .rules = {rule},
-                .skill = hands_ ? hands_->For(model) : std::nullopt};
+                .skill = skill_.For(model)};
   if (action.skill) action.agents.push_back(Agent::kRobot);
   return action;
+}
+
+std::optional<Learning::Shown> Learning::OnManipulation(
+    const ObservedManipulation& manipulation, const std::string& source,
+    const ActionModels& actions) {
+  last_ = learner_.Add(manipulation, source, BuildVersion());
+  has_news_ = has_news_ || last_.has_value();
+  if (!last_) return std::nullopt;
+  return ShownBy(*last_, actions);
+}
+
+/// The roles are those of the group; its record may have another order.
+std::optional<Learning::Shown> Learning::ShownBy(
+    const SecLearner::Lesson& lesson, const ActionModels& actions) const {
+  if (lesson.direction != ActionDirection::kForward ||
+      std::ranges::count(lesson.objects, -1) > 0) {
+    return std::nullopt;
+  }
+  const Vocabulary& vocabulary = actions.domain().vocabulary();
+  const SecLearner::Action learned = learner_.ActionOf(lesson);
+  const ActionModel* known = Find(actions, learned.name);
+  const auto order = ArgumentsOf(
+      learned.model.roles,
+      known != nullptr ? known->action.arguments : learned.model.roles,
+      vocabulary.types());
+  if (!order) return std::nullopt;
+  Shown shown{learned.name, std::vector<std::string>(order->size())};
+  for (size_t role = 0; role < order->size(); ++role) {
+    const auto object = static_cast<size_t>(lesson.objects[role]);
+    shown.arguments[(*order)[role]] = vocabulary.objects()[object].name;
+  }
+  return shown;
 }
 
 Result<std::string> Learning::Name(const std::string& name, bool is_undone,
@@ -113,7 +114,8 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
   last_ = SecLearner::Lesson{
       *group,
       is_undone ? ActionDirection::kReversed : ActionDirection::kForward,
-      false};
+      false,
+      {}};
   if (!shown.is_named) renamed_.insert(shown.name);
   has_news_ = true;
   return fmt::format("what was shown {} {}", is_undone ? "undoes" : "is", name);

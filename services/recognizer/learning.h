@@ -8,9 +8,9 @@
 
 #include "common/actions/action_models.h"
 #include "common/actions/action_record.h"
+#include "common/actions/generic_skill.h"
 #include "common/result/result.h"
 #include "common/sec/sec_learner.h"
-#include "services/recognizer/generic_skill.h"
 
 namespace cell::recognizer {
 
@@ -18,21 +18,20 @@ namespace cell::recognizer {
 /// record of the library.
 class Learning {
  public:
-  /// @param hands  how arms do actions that are new; nothing: they do not
-  explicit Learning(const ActionModels& actions,
-                    std::optional<GenericSkill> hands = std::nullopt);
+  /// @param skill  by which arms do what was only shown
+  Learning(const ActionModels& actions, GenericSkill skill);
 
-  /// An action with the names of its objects, in the order of its record.
-  struct Taught {
+  /// What a manipulation has shown: an action of the library, or one that is
+  /// new there, with its objects in its order.
+  struct Shown {
     std::string action;
     std::vector<std::string> arguments;
   };
-  /// The action that the manipulation has taught something, unless it was
-  /// undone.
+  /// nullopt if it has shown nothing, or an action taken back.
   /// @param source  names the demonstration
-  std::optional<Taught> OnManipulation(const ObservedManipulation& manipulation,
-                                       const std::string& source,
-                                       const ActionModels& actions);
+  std::optional<Shown> OnManipulation(const ObservedManipulation& manipulation,
+                                      const std::string& source,
+                                      const ActionModels& actions);
   /// A manipulation that shows nothing by itself: it cannot be named.
   void OnMixture() { last_.reset(); }
   /// A person's name of the manipulation that was observed last; `is_undone`:
@@ -52,17 +51,18 @@ class Learning {
   void OnRefusal() { requested_.clear(); }
 
  private:
-  std::optional<Taught> TaughtBy(const SecLearner::Lesson& lesson,
-                                 const ActionModels& actions) const;
-  Action ActionOf(const SecLearner::Action& learned) const;
   void WidenTo(const std::vector<Variable>& arguments, size_t group,
                const TypeHierarchy& types);
   std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,
                                        const ActionModels& actions,
                                        bool keeps_confirmations) const;
 
+  std::optional<Shown> ShownBy(const SecLearner::Lesson& lesson,
+                               const ActionModels& actions) const;
+  Action ActionOf(const SecLearner::Action& learned) const;
+
   SecLearner learner_;
-  std::optional<GenericSkill> hands_;
+  GenericSkill skill_;
   std::optional<SecLearner::Lesson> last_;
   bool has_news_ = false;
   bool keeps_confirmations_ = false;

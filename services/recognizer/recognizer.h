@@ -40,9 +40,7 @@ class Recognizer final : public Service {
     MakeSecLibrary make_library;
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
-    bool is_learning = false;
-    /// How arms do actions that are new; nothing: they do not.
-    std::optional<GenericSkill> hands = {};
+    std::optional<GenericSkill> new_skill;  ///< if it learns
 
     /// Of recognizer.yaml and the task. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment);
@@ -67,9 +65,9 @@ class Recognizer final : public Service {
   Params params_;
   ActionModels actions_;              // updated by ACTION_RECORD
   std::optional<Learning> learning_;  // if it learns
-  /// Of unknown manipulations of the present key frame, by part.
-  std::map<std::string, Learning::Taught> taught_;
-  std::string demonstration_;                 // that is shown
+  std::string demonstration_;         // that is shown
+  /// What manipulations that end at the key frame have shown, by moved part.
+  std::map<std::string, Learning::Shown> shown_;
   std::unique_ptr<Recognition> recognition_;  // of the episode
   int64_t last_key_frame_ = -1;
   int64_t next_index_ = 0;

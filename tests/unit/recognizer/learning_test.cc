@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "common/actions/sec_models.h"
 #include "services/recognizer/recognition.h"
@@ -25,7 +24,7 @@ class LearningTest : public testing::Test {
  protected:
   LearningTest() {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      taught_ = learning_->OnManipulation(manipulation, "test 1", actions_);
+      shown_ = learning_->OnManipulation(manipulation, "test 1", actions_);
     });
   }
 
@@ -56,6 +55,9 @@ class LearningTest : public testing::Test {
     return records;
   }
 
+  GenericSkill Hands() const {
+    return {task_.domain.vocabulary(), task_.geometries, task_.layout};
+  }
   static std::vector<ActionModel> WithoutSec(std::vector<ActionModel> models) {
     for (ActionModel& model : models) model.sec.reset();
     return models;
@@ -63,8 +65,8 @@ class LearningTest : public testing::Test {
 
   const ShippedTask task_;
   ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
-  std::optional<Learning> learning_{std::in_place, actions_};
-  std::optional<Learning::Taught> taught_;
+  std::optional<Learning> learning_{std::in_place, actions_, Hands()};
+  std::optional<Learning::Shown> shown_;  // at last
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
@@ -86,7 +88,7 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_EQ(records[0].name, "Action1");
   EXPECT_EQ(records[0].version, 1);
-  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
   EXPECT_THAT(records[0].rules, HasSubstr("PegInHole(X, Y)"));
   EXPECT_THAT(Store(), IsEmpty());
 
@@ -96,6 +98,64 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   EXPECT_THAT(again[0].arguments,
               testing::ElementsAre("round_peg_2", "base.round_2"));
   EXPECT_GT(again[0].confidence, 0.9);
+}
+
+TEST_F(LearningTest, SaysWhichRecordAnUnknownManipulationHasOpened) {
+  Seat("round_peg_1", "base.round_1");
+  ASSERT_TRUE(shown_);
+  EXPECT_EQ(shown_->action, "Action1");
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("round_peg_1", "base.round_1"));
+}
+
+TEST_F(LearningTest, ArmsInsertWhatWasSeatedAtTheSiteThatAPredicateNames) {
+  Seat("round_peg_1", "base.round_1");
+  const auto at_argument = Store();
+  ASSERT_THAT(at_argument, SizeIs(1));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("name: insert"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("site: Y"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("arm: right"));
+  Seat("separator", "base.separator");
+  const auto at_fixed = Store();
+  ASSERT_THAT(at_fixed, SizeIs(1));
+  EXPECT_THAT(at_fixed[0].skill, HasSubstr("site: base.separator"));
+  EXPECT_EQ(at_fixed[0].skill_settings, "insertion");
+}
+
+TEST_F(LearningTest, TellsTheObjectsInTheOrderOfTheRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  ActionModel turned = actions_.models().back();
+  ASSERT_EQ(turned.action.name, "Action1");
+  std::ranges::reverse(turned.action.arguments);
+  turned.action.rules.clear();
+  turned.sec = *FitToArguments(*turned.sec, turned.action.arguments,
+                               task_.domain.vocabulary().types());
+  const ActionModels only_turned(task_.domain, task_.parts, {turned});
+  Learning learning(only_turned, Hands());
+  recognition_.SetObserver([&](const auto& manipulation, const auto&) {
+    shown_ = learning.OnManipulation(manipulation, "test 2", only_turned);
+  });
+  Seat("round_peg_2", "base.round_2");
+  ASSERT_TRUE(shown_);
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("base.round_2", "round_peg_2"));
+}
+
+TEST_F(LearningTest, WhatIsTakenBackTellsNoRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  EXPECT_FALSE(shown_);
+}
+
+TEST_F(LearningTest, WhatEndsAtNoSiteIsLeftToPeople) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_EQ(records[0].skill, "");
+  EXPECT_EQ(records[0].skill_settings, "");
 }
 
 TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
@@ -154,115 +214,13 @@ TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
 TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   Seat("round_peg_1", "base.round_1");
   Store();
-  learning_.emplace(actions_);
+  learning_.emplace(actions_, Hands());
   Seat("round_peg_2", "base.round_2");
   EXPECT_THAT(Store(), IsEmpty());
   Seat("square_peg_2", "base.square_2");
   const auto records = Store();
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_EQ(records[0].name, "Action2");
-}
-
-TEST_F(LearningTest, AnUnknownManipulationTellsTheRecordThatItTaught) {
-  Seat("round_peg_1", "base.round_1");
-  ASSERT_TRUE(taught_);
-  EXPECT_EQ(taught_->action, "Action1");
-  EXPECT_THAT(taught_->arguments,
-              testing::ElementsAre("round_peg_1", "base.round_1"));
-  Seat("round_peg_2", "base.round_2");  // it joins what is not stored yet
-  ASSERT_TRUE(taught_);
-  EXPECT_EQ(taught_->action, "Action1");
-  EXPECT_THAT(taught_->arguments,
-              testing::ElementsAre("round_peg_2", "base.round_2"));
-}
-
-TEST_F(LearningTest, ArgumentsAreInTheOrderOfTheRecord) {
-  Seat("round_peg_1", "base.round_1");
-  Store();
-  ActionModel turned = actions_.models().back();
-  ASSERT_EQ(turned.action.name, "Action1");
-  std::ranges::reverse(turned.action.arguments);
-  turned.action.rules.clear();
-  turned.sec = *FitToArguments(*turned.sec, turned.action.arguments,
-                               task_.domain.vocabulary().types());
-  const ActionModels only_turned(task_.domain, task_.parts, {turned});
-  Learning learning(only_turned);
-  recognition_.SetObserver([&](const auto& manipulation, const auto&) {
-    taught_ = learning.OnManipulation(manipulation, "test 2", only_turned);
-  });
-  Seat("round_peg_2", "base.round_2");
-  ASSERT_TRUE(taught_);
-  EXPECT_THAT(taught_->arguments,
-              testing::ElementsAre("base.round_2", "round_peg_2"));
-}
-
-TEST_F(LearningTest, WhatIsUndoneTellsNoRecord) {
-  Seat("round_peg_1", "base.round_1");
-  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
-  EXPECT_FALSE(taught_);
-}
-
-class LearningWithArmsTest : public LearningTest {
- protected:
-  LearningWithArmsTest() { learning_.emplace(actions_, Hands()); }
-
-  GenericSkill Hands() const {
-    const Vocabulary& vocabulary = task_.domain.vocabulary();
-    return GenericSkill(
-        vocabulary, task_.geometries,
-        *GenericSkill::ArmThatInserts(task_.layout.arms, vocabulary));
-  }
-};
-
-TEST_F(LearningWithArmsTest, ANewActionIsDoneByInsertingAtItsSite) {
-  Seat("round_peg_1", "base.round_1");
-  const auto records = Store();
-  ASSERT_THAT(records, SizeIs(1));
-  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
-  EXPECT_EQ(records[0].skill, "{name: insert, part: X, site: Y, arm: right}");
-  EXPECT_EQ(records[0].skill_settings, "insertion");
-  EXPECT_THAT(records[0].rules, HasSubstr("agents:\n    - person"))
-      << "nobody has seen an arm do it";
-}
-
-TEST_F(LearningWithArmsTest, ASiteThatIsNoArgumentIsThatOfThePredicate) {
-  Seat("separator", "base.separator");
-  const auto records = Store();
-  ASSERT_THAT(records, SizeIs(1));
-  EXPECT_EQ(records[0].skill,
-            "{name: insert, part: X, site: base.separator, arm: right}");
-}
-
-TEST_F(LearningWithArmsTest, WhatEndsAtNoSiteIsLeftToPeople) {
-  stage_.Seat("round_peg_1", "base.round_1");
-  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
-  const auto records = Store();
-  ASSERT_THAT(records, SizeIs(1));
-  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
-  EXPECT_EQ(records[0].skill, "");
-  EXPECT_EQ(records[0].skill_settings, "");
-}
-
-TEST_F(LearningWithArmsTest, TheArmWithAForceSensorInserts) {
-  const Vocabulary& vocabulary = task_.domain.vocabulary();
-  auto arms = task_.layout.arms;
-  const auto chosen = [&] {
-    const auto arm = GenericSkill::ArmThatInserts(arms, vocabulary);
-    return arm ? vocabulary.objects()[static_cast<size_t>(*arm)].name : "";
-  };
-  for (ArmLayout& arm : arms) arm.X_FS.reset();
-  EXPECT_EQ(chosen(), "");
-  for (ArmLayout& arm : arms) {
-    arm.X_FS.emplace(Eigen::Isometry3d::Identity());
-    EXPECT_EQ(chosen(), arm.name);
-    arm.X_FS.reset();
-  }
-  for (ArmLayout& arm : arms) arm.X_FS.emplace(Eigen::Isometry3d::Identity());
-  for (ArmLayout& arm : arms) {
-    const int precedence = std::exchange(arm.precedence, 0);
-    EXPECT_EQ(chosen(), arm.name) << "the others make way for it";
-    arm.precedence = precedence;
-  }
 }
 
 }  // namespace
