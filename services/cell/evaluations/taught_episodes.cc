@@ -35,6 +35,7 @@ void TaughtEpisodes::OnEpisode(const Message& message) {
   if (!episode) return;
   if (episode->phase == episode_t::START) {
     episodes_.push_back(std::make_unique<Episode>(task_, success_));
+    episodes_.back()->start_utime = episode->header.utime;
   } else if (episode->phase == episode_t::END && !episodes_.empty()) {
     episodes_.back()->has_ended = true;
   }
@@ -45,6 +46,9 @@ nlohmann::json TaughtEpisodes::Rows() const {
   for (const auto& episode : episodes_) {
     nlohmann::json row =
         AssemblyRow(episode->assembly, episode->check, task_.parts);
+    row["seconds"] =
+        1e-6 * static_cast<double>(episode->assembly.record().last_utime -
+                                   episode->start_utime);
     row["questions"] = episode->questions;
     row["demonstrations"] = episode->num_demonstrations;
     rows.push_back(std::move(row));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,6 +36,7 @@ class TaughtEpisodes {
     MotionCheck check;
     std::vector<std::string> questions;
     int num_demonstrations = 0;
+    int64_t start_utime = 0;
     bool has_ended = false;
   };
 
