@@ -123,7 +123,7 @@ TEST_F(LearningExecution, DoesWhatWasShownAtHalfSpeedOnce) {
   ASSERT_THAT(kept_, SizeIs(1));
   EXPECT_EQ(kept_[0].agent, Agent::kRobot);
   Learn(kept_[0]);
-  Step(80);
+  Step(130);
   ASSERT_THAT(requests_, SizeIs(2)) << told_.text;
   EXPECT_FALSE(requests_[1].is_careful);
 }
