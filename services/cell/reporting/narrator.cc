@@ -64,8 +64,7 @@ std::string StepsOf(const std::vector<plan_step_t>& steps) {
 /// The next step, or why there is none.
 std::string SummaryOf(const plan_t& plan) {
   if (plan.result == plan_t::GOAL_REACHED) return "the goal is reached";
-  if (plan.result == plan_t::UNDECIDED ||
-      plan.result == plan_t::NOT_LEARNED) {
+  if (plan.result == plan_t::UNDECIDED || plan.result == plan_t::NOT_LEARNED) {
     return "no plan yet: " + plan.reason;
   }
   if (plan.result != plan_t::FOUND || plan.steps.empty()) {
@@ -144,6 +143,9 @@ std::vector<std::string> Narrator::DescribeAction(const Message& message) {
       break;
     default:
       what = "an unknown manipulation of " + action->part;
+      if (!action->name.empty()) {
+        what += ", learned as " + Call(*action, action->name);
+      }
   }
   std::string line =
       fmt::format("{} by {}", what, fmt::join(action->hands, ", "));
