@@ -192,7 +192,7 @@ bool Planner::OnResult(const skill_result_t& message) {
 void Planner::Publish(const Decisions& decisions) {
   const RuleSet& rules = decision_maker_->rules();
   for (const SkillRequest& request : decisions.requests) {
-    skill_request_t message = ToMessage(request, rules.vocabulary());
+    asked_skill_t message = ToMessage(request, rules.vocabulary());
     message.header.utime = bus_.now();
     bus_.Publish("SKILL_REQUEST", message);
   }
