@@ -27,9 +27,11 @@ std::string InCapitals(std::string text) {
 }  // namespace
 
 Planner::Planner(Bus& bus, Knowledge knowledge,
+                 std::set<std::string> hands_of_people,
                  std::unique_ptr<DecisionMaker> decision_maker)
     : bus_(bus),
       knowledge_(std::move(knowledge)),
+      hands_of_people_(std::move(hands_of_people)),
       decision_maker_(std::move(decision_maker)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
@@ -120,7 +122,7 @@ bool Planner::OnAction(const recognised_action_t& message) {
   const RuleSet& rules = decision_maker_->rules();
   const auto action = FromMessage(message, rules);
   if (!action) return false;
-  const auto shown = ShownActionFrom(message, rules);
+  const auto shown = ShownActionFrom(message, hands_of_people_, rules);
   if (shown && knowledge_.is_learning()) demonstrations_.Update(*shown);
   Publish(decision_maker_->state().OnAction(*action));
   return true;
@@ -173,6 +175,7 @@ void Planner::Keep(const TaskExperience& experience) {
       cell::ToMessage(experience, decision_maker_->rules().vocabulary());
   message.header.utime = bus_.now();
   bus_.Publish("EXPERIENCE_REQUEST", message);
+  static int64_t temp = 0;
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
@@ -193,7 +196,7 @@ bool Planner::OnResult(const skill_result_t& message) {
 void Planner::Publish(const Decisions& decisions) {
   const RuleSet& rules = decision_maker_->rules();
   for (const SkillRequest& request : decisions.requests) {
-    skill_request_t message = ToMessage(request, rules.vocabulary());
+    asked_skill_t message = ToMessage(request, rules.vocabulary());
     message.header.utime = bus_.now();
     bus_.Publish("SKILL_REQUEST", message);
   }
@@ -215,11 +218,16 @@ void Planner::Publish(const Decisions& decisions) {
 }
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
-  const Domain domain = LoadTask(deployment).domain;
-  auto decision_maker = LoadDecisionMaker(domain, deployment);
-  return std::make_unique<Planner>(
-      bus, Knowledge(domain, decision_maker->is_learning()),
-      std::move(decision_maker));
+  const Task task = LoadTask(deployment);
+  auto decision_maker = LoadDecisionMaker(task.domain, deployment);
+  std::set<std::string> hands_of_people;
+  for (const auto& hand : task.layout.hands) {
+    hands_of_people.insert(hand.name);
+  }
+  Knowledge knowledge(task.domain, decision_maker->is_learning());
+  return std::make_unique<Planner>(bus, std::move(knowledge),
+                                   std::move(hands_of_people),
+                                   std::move(decision_maker));
 }
 
 }  // namespace cell::planner

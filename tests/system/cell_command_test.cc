@@ -222,6 +222,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "eval",
                               "eval watch",
                               "eval assembly",
+                              "eval from_nothing",
                               "check",
                               "chain",
                               "view",

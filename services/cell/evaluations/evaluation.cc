@@ -2,6 +2,7 @@
 
 #include "services/cell/evaluations/assembly_evaluation.h"
 #include "services/cell/evaluations/disturbed_evaluation.h"
+#include "services/cell/evaluations/from_nothing_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
 #include "services/cell/evaluations/keyframes_evaluation.h"
 #include "services/cell/evaluations/one_showing_evaluation.h"
@@ -38,6 +39,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeAssemblyEvaluation());
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
+  all.push_back(MakeFromNothingEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());
   all.push_back(MakeSubstitutionEvaluation());
