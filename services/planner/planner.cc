@@ -139,6 +139,10 @@ bool Planner::OnRecord(const action_record_t& message) {
 }
 
 bool Planner::OnExperience(const experience_t& message) {
+  if (message.action.empty()) {
+    knowledge_.Remove(message.id);
+    return true;
+  }
   const auto experience =
       cell::FromMessage(message, decision_maker_->rules().vocabulary());
   if (!experience) {
