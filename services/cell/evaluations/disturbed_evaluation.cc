@@ -46,13 +46,8 @@ class DisturbedEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 24; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    AddTrials(kSolvable, runs, seed, &trials);
-    AddTrials(kUnsolvable,
-              std::max(2, static_cast<int>(runs * kUnsolvableShare + 0.5)),
-              seed, &trials);
-    return trials;
+  std::vector<TrialGroup> groups() const override {
+    return {{kSolvable}, {kUnsolvable, kUnsolvableShare, 2}};
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
