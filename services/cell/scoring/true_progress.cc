@@ -96,4 +96,33 @@ std::vector<bool> TrueProgress::NotInPlace() const {
   return result;
 }
 
+std::map<std::string, int> EmptySitesWithout(
+    const std::set<std::string>& missing_parts,
+    const vtb::Demonstrations& demonstrations, const PartTable& parts) {
+  std::map<std::string, int> num_sites, empty;  // by type of site
+  for (const Part& host : parts.parts()) {
+    for (const Site& site : host.sites) ++num_sites[site.type];
+  }
+  for (const auto& [name, rule] : demonstrations.rules) {
+    const auto num_parts =
+        std::ranges::count_if(parts.parts(), [&](const Part& part) {
+          return part.type == rule.part_type && part.is_free() &&
+                 !missing_parts.contains(part.name);
+        });
+    const int num = num_sites[rule.site_type] - static_cast<int>(num_parts);
+    if (num > 0) empty[rule.site_type] = num;
+  }
+  for (size_t before = empty.size() + 1; before != empty.size();) {
+    before = empty.size();
+    for (const auto& [name, rule] : demonstrations.rules) {
+      const bool must_wait =
+          std::ranges::any_of(rule.after, [&](const std::string& earlier) {
+            return empty.contains(demonstrations.rules.at(earlier).site_type);
+          });
+      if (must_wait) empty[rule.site_type] = num_sites[rule.site_type];
+    }
+  }
+  return empty;
+}
+
 }  // namespace cell::cli

@@ -48,4 +48,11 @@ class TrueProgress {
   std::set<std::string> outside_;  // of the workspace
 };
 
+/// How many sites of each type stay empty if all is placed that can be without
+/// these parts, in the order of demonstrators.yaml; types without any are left
+/// out.
+std::map<std::string, int> EmptySitesWithout(
+    const std::set<std::string>& missing_parts,
+    const vtb::Demonstrations& demonstrations, const PartTable& parts);
+
 }  // namespace cell::cli
