@@ -111,10 +111,15 @@ json RunAssembly(const std::string& script, uint64_t seed,
     check.Put(message);
     if (also) also(message);
   });
+  return AssemblyRow(observer, check, task.parts);
+}
+
+json AssemblyRow(const AssemblyObserver& observer, const MotionCheck& check,
+                 const PartTable& parts) {
   json row;
-  AddScore(observer.Score().value(), task.parts, &row);
+  AddScore(observer.Score().value(), parts, &row);
   AddRecord(observer.record(), &row);
-  AddParts(observer.record(), task.parts, &row);
+  AddParts(observer.record(), parts, &row);
   AddViolations(check, &row);
   return row;
 }

@@ -5,6 +5,7 @@
 #include "services/cell/evaluations/alarms_evaluation.h"
 #include "services/cell/evaluations/assembly_evaluation.h"
 #include "services/cell/evaluations/disturbed_evaluation.h"
+#include "services/cell/evaluations/from_nothing_evaluation.h"
 #include "services/cell/evaluations/goals_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
 #include "services/cell/evaluations/keyframes_evaluation.h"
@@ -45,6 +46,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
   all.push_back(MakeGoalsEvaluation());
+  all.push_back(MakeFromNothingEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());
   all.push_back(MakeSubstitutionEvaluation());

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cell/asked_skill_t.hpp"
 #include "cell/command_goal_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/decode.h"
@@ -50,7 +50,7 @@ class GoalChange {
         looks_.Put(*std::move(poses));
       }
     } else if (message.channel == "SKILL_REQUEST") {
-      if (const auto request = Decode<skill_request_t>(message)) {
+      if (const auto request = Decode<asked_skill_t>(message)) {
         under_way_[request->id] = ArgumentOf(*request, "site");
       }
     } else if (message.channel == "SKILL_RESULT") {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
 #include "services/cell/evaluations/assembly_row.h"

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,7 +24,7 @@ class LearningTest : public testing::Test {
  protected:
   LearningTest() {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      learning_->OnManipulation(manipulation, "test 1");
+      shown_ = learning_->OnManipulation(manipulation, "test 1", actions_);
     });
   }
 
@@ -54,6 +55,9 @@ class LearningTest : public testing::Test {
     return records;
   }
 
+  GenericSkill Hands() const {
+    return {task_.domain.vocabulary(), task_.geometries, task_.layout};
+  }
   static std::vector<ActionModel> WithoutSec(std::vector<ActionModel> models) {
     for (ActionModel& model : models) model.sec.reset();
     return models;
@@ -61,7 +65,8 @@ class LearningTest : public testing::Test {
 
   const ShippedTask task_;
   ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
-  std::optional<Learning> learning_{std::in_place, actions_};
+  std::optional<Learning> learning_{std::in_place, actions_, Hands()};
+  std::optional<Learning::Shown> shown_;  // at last
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
@@ -83,7 +88,7 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_EQ(records[0].name, "Action1");
   EXPECT_EQ(records[0].version, 1);
-  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
   EXPECT_THAT(records[0].rules, HasSubstr("PegInHole(X, Y)"));
   EXPECT_THAT(Store(), IsEmpty());
 
@@ -93,6 +98,64 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   EXPECT_THAT(again[0].arguments,
               testing::ElementsAre("round_peg_2", "base.round_2"));
   EXPECT_GT(again[0].confidence, 0.9);
+}
+
+TEST_F(LearningTest, SaysWhichRecordAnUnknownManipulationHasOpened) {
+  Seat("round_peg_1", "base.round_1");
+  ASSERT_TRUE(shown_);
+  EXPECT_EQ(shown_->action, "Action1");
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("round_peg_1", "base.round_1"));
+}
+
+TEST_F(LearningTest, ArmsInsertWhatWasSeatedAtTheSiteThatAPredicateNames) {
+  Seat("round_peg_1", "base.round_1");
+  const auto at_argument = Store();
+  ASSERT_THAT(at_argument, SizeIs(1));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("name: insert"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("site: Y"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("arm: right"));
+  Seat("separator", "base.separator");
+  const auto at_fixed = Store();
+  ASSERT_THAT(at_fixed, SizeIs(1));
+  EXPECT_THAT(at_fixed[0].skill, HasSubstr("site: base.separator"));
+  EXPECT_EQ(at_fixed[0].skill_settings, "insertion");
+}
+
+TEST_F(LearningTest, TellsTheObjectsInTheOrderOfTheRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  ActionModel turned = actions_.models().back();
+  ASSERT_EQ(turned.action.name, "Action1");
+  std::ranges::reverse(turned.action.arguments);
+  turned.action.rules.clear();
+  turned.sec = *FitToArguments(*turned.sec, turned.action.arguments,
+                               task_.domain.vocabulary().types());
+  const ActionModels only_turned(task_.domain, task_.parts, {turned});
+  Learning learning(only_turned, Hands());
+  recognition_.SetObserver([&](const auto& manipulation, const auto&) {
+    shown_ = learning.OnManipulation(manipulation, "test 2", only_turned);
+  });
+  Seat("round_peg_2", "base.round_2");
+  ASSERT_TRUE(shown_);
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("base.round_2", "round_peg_2"));
+}
+
+TEST_F(LearningTest, WhatIsTakenBackTellsNoRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  EXPECT_FALSE(shown_);
+}
+
+TEST_F(LearningTest, WhatEndsAtNoSiteIsLeftToPeople) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_EQ(records[0].skill, "");
+  EXPECT_EQ(records[0].skill_settings, "");
 }
 
 TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
@@ -151,7 +214,7 @@ TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
 TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   Seat("round_peg_1", "base.round_1");
   Store();
-  learning_.emplace(actions_);
+  learning_.emplace(actions_, Hands());
   Seat("round_peg_2", "base.round_2");
   EXPECT_THAT(Store(), IsEmpty());
   Seat("square_peg_2", "base.square_2");
