@@ -216,8 +216,8 @@ void CheckScript(const Config& config, const Script& script,
   if (script.too_early) check("too_early", *script.too_early);
 }
 
-std::vector<std::string> LoadDefault(const Config& config,
-                                     const Demonstrations& demonstrations) {
+std::vector<std::string> ScriptsFromConfig(
+    const Config& config, const Demonstrations& demonstrations) {
   std::vector<std::string> names;
   for (const Config& item : config.Items()) {
     names.push_back(item.As<std::string>());
@@ -228,6 +228,15 @@ std::vector<std::string> LoadDefault(const Config& config,
   }
   if (names.empty()) config.Fail("names no script");
   return names;
+}
+
+std::map<std::string, std::vector<std::string>> WatchedFromConfig(
+    const Config& config, const Demonstrations& demonstrations) {
+  std::map<std::string, std::vector<std::string>> watched;
+  for (const char* kind : {"correct", "deviation", "dead_end"}) {
+    watched[kind] = ScriptsFromConfig(config[kind], demonstrations);
+  }
+  return watched;
 }
 
 std::vector<std::string> TeachingFromConfig(
@@ -262,10 +271,14 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
     demonstrations.scripts.emplace(name, script);
   }
   demonstrations.default_episodes =
-      LoadDefault(config["default"], demonstrations);
+      ScriptsFromConfig(config["default"], demonstrations);
   if (config.Has("teaching")) {
     demonstrations.teaching =
         TeachingFromConfig(config["teaching"], demonstrations);
+  }
+  if (config.Has("watched")) {
+    demonstrations.watched =
+        WatchedFromConfig(config["watched"], demonstrations);
   }
   config.Finish();
   return demonstrations;

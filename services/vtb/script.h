@@ -97,6 +97,10 @@ struct Demonstrations {
   HumanMotionParams human_motion;
   /// Scripts that show a cell all its actions, one demonstration each.
   std::vector<std::string> teaching;
+  /// Scripts by what is to be said of them: the person does it `correct`ly,
+  /// with a `deviation` that makes the way to the goal longer, into a
+  /// `dead_end`.
+  std::map<std::string, std::vector<std::string>> watched;
   /// What the person calls the action that laying a part down undoes; empty:
   /// nothing.
   std::string raising;
