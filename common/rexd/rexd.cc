@@ -124,7 +124,7 @@ std::optional<GroundAct> RexD::DoWithoutPlan(const WorldState& state,
         RuleAlternatives(rules_, *task_->world, state, guidance, experiences_);
     for (size_t i = 0; i < std::min(alternatives.size(), kMaxPlans); ++i) {
       const auto act = PlanBy(alternatives[i], *task_, state);
-      if (!act) continue;
+      if (!act || HasFailedTooOften(*act, state)) continue;
       ++num_alternatives_;
       return act;
     }
@@ -174,7 +174,10 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
     num_alternatives_ = 0;
     shown_in_vain_ = experience.act;
   }
-  if (experience.before != experience.after) shown_in_vain_.reset();
+  if (experience.before != experience.after) {
+    shown_in_vain_.reset();
+    num_alternatives_ = 0;
+  }
   const bool is_repeated = last_ && failures_.number > 0 &&
                            last_->act == experience.act &&
                            last_->before == experience.before;

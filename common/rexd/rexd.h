@@ -121,7 +121,7 @@ class RexD {
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
   DangerousActs dangers_;
-  int num_alternatives_ = 0;  // tried since the last demonstration
+  int num_alternatives_ = 0;  // tried in this state since one was shown
 };
 
 }  // namespace cell::rexd
