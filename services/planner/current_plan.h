@@ -17,6 +17,9 @@ class CurrentPlan {
               SolverMaker make_solver);
 
   const RuleSet& rules() const { return *rules_; }
+  const std::shared_ptr<const RuleSet>& shared_rules() const { return rules_; }
+  /// As if nothing had failed yet.
+  Problem problem() const { return {rules_, goal_, Agent::kRobot}; }
   void SetGoal(Goal goal);
   void SetRules(std::shared_ptr<const RuleSet> rules);
 
@@ -29,6 +32,10 @@ class CurrentPlan {
   Plan FindUnblocked(const State& state) const;
   /// A solver for that.
   std::unique_ptr<Solver> MakeUnblocked() const;
+  /// A solver for the robot with other rules and another goal.
+  std::unique_ptr<Solver> MakeSolverFor(
+      std::shared_ptr<const RuleSet> rules, Goal goal,
+      const std::set<GroundAction>& blocked) const;
 
   /// The plan, found for this, if it is another one than the last reported.
   std::optional<PlanOfState> TakeIfNew(const SensedState& sensed);

@@ -1,5 +1,6 @@
 #include "services/planner/execute.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "services/planner/execution/await_rest.h"
@@ -20,7 +21,34 @@ Execute::Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
 
 Decisions Execute::OnSensed(const SensedState& sensed) {
   context_.sensing.Update(sensed);
-  return {};
+  Decisions out;
+  if (context_.sensing.Fresh() != nullptr) EndTrials(out);
+  return out;
+}
+
+/// The arms' own skills, which only robots have, are not learned.
+void Execute::BeginTrial(const EndedSkill& ended) {
+  if (!context_.params.exploration || !ended.counts || !ended.skill.action) {
+    return;
+  }
+  const RuleSet& rules = context_.plan.rules();
+  const Action& action = rules.ActionOf(*ended.skill.action);
+  if (!action.MayBeDoneBy(Agent::kPerson)) return;
+  context_.trials.push_back({action.name, ended.skill.action->arguments,
+                             Agent::kRobot, ended.skill.before, State(0)});
+}
+
+/// What is sensed now is what came of them.
+void Execute::EndTrials(Decisions& out) {
+  const Vocabulary& vocabulary = context_.plan.rules().vocabulary();
+  for (TaskExperience& trial : context_.trials) {
+    trial.before = WithoutArms(trial.before, vocabulary);
+    trial.after = WithoutArms(context_.sensing.Fresh()->state, vocabulary);
+    context_.lesson_utime =
+        context_.sensing.Fresh()->utime + context_.params.lesson_us;
+    out.experiences.push_back(std::move(trial));
+  }
+  context_.trials.clear();
 }
 
 Decisions Execute::OnAction(const DoneAction& action) {
@@ -43,6 +71,7 @@ void Execute::OnSkillResult(const SkillResult& result) {
 
 void Execute::OnSkillEnd(const EndedSkill& ended) {
   context_.sensing.RequireSince(ended.utime + context_.params.settle_us);
+  BeginTrial(ended);
   state_->OnSkillEnd(ended);
 }
 
@@ -53,7 +82,21 @@ void Execute::SetPermission(bool may_act, Instant now) {
 
 Decisions Execute::SetRules(std::shared_ptr<const RuleSet> rules) {
   context_.plan.SetRules(std::move(rules));
+  context_.lesson_utime = 0;
   return {};
+}
+
+void Execute::SetExperiences(
+    std::shared_ptr<const std::vector<TaskExperience>> experiences) {
+  if (context_.params.exploration) {
+    context_.params.exploration->experiences = std::move(experiences);
+  }
+}
+
+void Execute::Confirm(const std::string& action) {
+  if (!context_.params.exploration) return;
+  context_.params.exploration->confirmed.insert(action);
+  state_ = std::make_unique<AwaitRest>();
 }
 
 Decisions Execute::SetGoal(const Goal& goal) {
@@ -71,7 +114,11 @@ Decisions Execute::Decide(Instant now) {
   }
   while (auto next = state_->Step(context_, now, out)) state_ = std::move(next);
   Dialogue& dialogue = context_.dialogue;
-  if (!out.requests.empty()) dialogue.OnStart();
+  const bool has_begun_action =
+      std::ranges::any_of(out.requests, [](const SkillRequest& request) {
+        return request.purpose != SkillRequest::Purpose::kCleanUp;
+      });
+  if (has_begun_action) dialogue.OnStart();
   if (!dialogue.is_asking()) {
     dialogue.Report(state_->Status(context_), now, out);
   }

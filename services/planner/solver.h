@@ -30,6 +30,8 @@ class Solver {
   /// Unknown atoms are taken as false; if there is a plan only if some are
   /// true, the result is undecided.
   virtual Plan Find(const State& state) = 0;
+  /// The same, but not why there is none.
+  virtual Plan FindWithoutReason(const State& state) = 0;
 };
 
 /// Makes the solver of a problem, with a budget of its own kind.
