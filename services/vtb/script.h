@@ -49,6 +49,11 @@ struct Script {
   /// Rule whose part is placed although another must come first, and then
   /// taken back.
   std::optional<std::string> too_early;
+  /// Where a part is at the start, in place of standing anywhere.
+  struct Start {
+    std::string site;  ///< seated there; empty: it lies on its side
+  };
+  std::map<std::string, Start> start;  ///< by part
   /// A person beside the robot.
   struct Disturbance {
     enum class Kind {
