@@ -17,6 +17,11 @@ class CurrentPlan {
               SolverMaker make_solver);
 
   const RuleSet& rules() const { return *rules_; }
+  /// Of the plan last found.
+  Problem problem() const { return {rules_, goal_, Agent::kRobot, blocked_}; }
+  const SolverMaker& make_solver() const { return make_solver_; }
+  /// That the plan is for; nullopt if none was found yet.
+  const std::optional<State>& state() const { return state_; }
   void SetGoal(Goal goal);
   void SetRules(std::shared_ptr<const RuleSet> rules);
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "services/planner/execution_status.h"
+#include "services/planner/judgement.h"
 #include "services/planner/plan.h"
 #include "services/planner/skill_request.h"
 
@@ -29,6 +31,8 @@ struct Alert {
   Cause cause;
   int64_t utime = 0;  ///< [us] of the action, or of now
   std::string text;
+  /// What it stands on, if it is about an action.
+  std::shared_ptr<const Judgement> judgement = {};
 };
 
 /// What follows from an input or a moment: to be published, in this order.

@@ -64,6 +64,17 @@ Decisions Execute::SetGoal(const Goal& goal) {
   return {};
 }
 
+std::optional<DecisionBasis> Execute::Basis() const {
+  const CurrentPlan& plan = context_.plan;
+  if (!plan.state()) return std::nullopt;
+  return DecisionBasis{.problem = plan.problem(),
+                       .make_solver = plan.make_solver(),
+                       .state = *plan.state(),
+                       .plan = plan.get(),
+                       .failures = context_.dispatch.failures().entries(),
+                       .running = context_.dispatch.running()};
+}
+
 Decisions Execute::Decide(Instant now) {
   Decisions out;
   for (const EndedSkill& lost : context_.dispatch.EndLostRequests()) {

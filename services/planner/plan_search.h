@@ -23,6 +23,7 @@ class PlanSearch final : public Solver {
   static SolverMaker Maker(const Params& params);
 
   Plan Find(const State& state) override;
+  std::vector<Alternative> Alternatives(const State& state) override;
   int num_states() const { return space_.size(); }
 
  private:
@@ -32,6 +33,8 @@ class PlanSearch final : public Solver {
   std::optional<int> Enter(const State& state);
   bool IsReached(const State& state) const;
   std::vector<PlanStep> LikelyCourse(int state) const;
+  /// Best first.
+  std::vector<Alternative> Ranked(int state) const;
   std::vector<PlanStep> NextSteps(int state) const;
   Excuse WhyNoPlan(const State& state);
   std::string WhyUndecided(const State& state) const;

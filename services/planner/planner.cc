@@ -158,13 +158,25 @@ void Planner::Publish(const Decisions& decisions) {
   for (const Alert& alert : decisions.alerts) {
     bus_.Publish("ALERT", ToMessage(alert));
   }
+  if (observer_ && (decisions.plan || decisions.execution ||
+                    !decisions.requests.empty() || !decisions.alerts.empty())) {
+    observer_(Now(), decisions, decision_maker_->state().Basis());
+  }
 }
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
+  return MakeObservedPlanner(bus, deployment, {});
+}
+
+std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
+                                             const Deployment& deployment,
+                                             DecisionObserver observer) {
   Domain domain = LoadTask(deployment).domain;
   auto decision_maker = LoadDecisionMaker(domain, deployment);
-  return std::make_unique<Planner>(bus, std::move(domain),
-                                   std::move(decision_maker));
+  auto planner = std::make_unique<Planner>(bus, std::move(domain),
+                                           std::move(decision_maker));
+  planner->SetObserver(std::move(observer));
+  return planner;
 }
 
 }  // namespace cell::planner

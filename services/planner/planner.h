@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cell/action_record_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -15,6 +16,7 @@
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
 #include "common/relational/domain.h"
+#include "services/planner/decision_basis.h"
 #include "services/planner/decision_maker.h"
 
 namespace cell::planner {
@@ -29,6 +31,11 @@ class Planner final : public Service {
   /// `bus` must outlive this object.
   Planner(Bus& bus, Domain domain,
           std::unique_ptr<DecisionMaker> decision_maker);
+
+  /// Is told of all decisions from now on.
+  void SetObserver(DecisionObserver observer) {
+    observer_ = std::move(observer);
+  }
 
  private:
   bool OnEpisode(const episode_t& message);
@@ -46,8 +53,13 @@ class Planner final : public Service {
   EpisodeGate episode_;
   Domain domain_;  // with the actions that the library has
   std::unique_ptr<DecisionMaker> decision_maker_;
+  DecisionObserver observer_;
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);
+/// One whose decisions are observed; it decides the same.
+std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
+                                             const Deployment& deployment,
+                                             DecisionObserver observer);
 
 }  // namespace cell::planner
