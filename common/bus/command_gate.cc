@@ -10,8 +10,9 @@ namespace {
 
 /// Commands that other services than the first take. A fixed list, so that no
 /// sender can fill the bus with channels that it makes up.
-constexpr std::array<std::string_view, 4> kPassedOn = {
-    "COMMAND_GOAL", "COMMAND_LIBRARY", "COMMAND_MODE", "COMMAND_NAME"};
+constexpr std::array<std::string_view, 5> kPassedOn = {
+    "COMMAND_CONFIRM", "COMMAND_GOAL", "COMMAND_LIBRARY", "COMMAND_MODE",
+    "COMMAND_NAME"};
 
 bool IsPassedOn(const std::string& channel) {
   return std::find(kPassedOn.begin(), kPassedOn.end(), channel) !=

@@ -13,14 +13,12 @@ std::string PlaceOf(size_t i) {
   return "{" + std::to_string(i) + "}";
 }
 
-std::string Filled(std::string words, const std::vector<int>& objects,
-                   const Vocabulary& vocabulary) {
-  for (size_t i = 0; i < objects.size(); ++i) {
+std::string Filled(std::string words, const std::vector<std::string>& names) {
+  for (size_t i = 0; i < names.size(); ++i) {
     const std::string place = PlaceOf(i);
-    const std::string& name = vocabulary.objects()[objects[i]].name;
     for (size_t at = words.find(place); at != std::string::npos;
-         at = words.find(place, at + name.size())) {
-      words.replace(at, place.size(), name);
+         at = words.find(place, at + names[i].size())) {
+      words.replace(at, place.size(), names[i]);
     }
   }
   return words;
@@ -41,6 +39,15 @@ void CheckPlaces(const Config& config, std::string words,
   if (words.find_first_of("{}") == std::string::npos) return;
   config.Fail(num_arguments == 0 ? "it has no arguments: no braces"
                                  : "its arguments are " + places);
+}
+
+std::vector<std::string> NamesOf(const std::vector<int>& objects,
+                                 const Vocabulary& vocabulary) {
+  std::vector<std::string> names;
+  for (const int object : objects) {
+    names.push_back(vocabulary.objects()[object].name);
+  }
+  return names;
 }
 
 /// `num_arguments_of` a name: nothing if there is no such name.
@@ -91,7 +98,23 @@ std::optional<std::string> RequestWords::ToMake(
   const Templates& templates = is_true ? make_true_ : make_false_;
   const auto it = templates.find(vocabulary.predicates()[atom.predicate].name);
   if (it == templates.end()) return std::nullopt;
-  return Filled(it->second, atom.objects, vocabulary);
+  return Filled(it->second, NamesOf(atom.objects, vocabulary));
+}
+
+std::optional<std::string> RequestWords::ToMake(
+    const Literal& literal, const Vocabulary& vocabulary) const {
+  if (literal.is_static) return std::nullopt;
+  const Predicate& predicate = vocabulary.predicates()[literal.relation];
+  const Templates& templates = literal.is_negated ? make_false_ : make_true_;
+  const auto it = templates.find(predicate.name);
+  if (it == templates.end()) return std::nullopt;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < literal.terms.size(); ++i) {
+    names.push_back(literal.terms[i].kind == Term::Kind::kObject
+                        ? vocabulary.objects()[literal.terms[i].index].name
+                        : vocabulary.types().name(predicate.argument_types[i]));
+  }
+  return Filled(it->second, names);
 }
 
 std::optional<std::string> RequestWords::ToDo(
@@ -99,7 +122,7 @@ std::optional<std::string> RequestWords::ToDo(
     const Vocabulary& vocabulary) const {
   const auto it = do_.find(action);
   if (it == do_.end()) return std::nullopt;
-  return Filled(it->second, objects, vocabulary);
+  return Filled(it->second, NamesOf(objects, vocabulary));
 }
 
 }  // namespace cell

@@ -31,6 +31,10 @@ class RequestWords {
   /// words for it.
   std::optional<std::string> ToMake(const GroundAtom& atom, bool is_true,
                                     const Vocabulary& vocabulary) const;
+  /// The same for a literal without variables; `_` is told by its type: "take
+  /// out of hole what is in it".
+  std::optional<std::string> ToMake(const Literal& literal,
+                                    const Vocabulary& vocabulary) const;
   /// "put the bolt_1 into frame.hole_1"; nothing as before.
   std::optional<std::string> ToDo(const std::string& action,
                                   const std::vector<int>& objects,

@@ -47,6 +47,8 @@ struct NdrRule {
   std::vector<Outcome> outcomes;
   /// Probability that something not modelled happens; for planning: nothing.
   double noise = 0;
+  /// That it was learned from and covers; 0: it was not learned here.
+  int num_experiences = 0;
 
   bool IsFor(Agent agent) const;
   bool operator==(const NdrRule&) const = default;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cell/stored_t.hpp"
+#include "cell/store_answer_t.hpp"
 #include "cell/tick_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/bus/decode.h"
@@ -18,13 +18,13 @@ constexpr char kName[] = "library";
 int8_t OutcomeOf(const Refusal& refusal) {
   switch (refusal.kind) {
     case Refusal::Kind::kDuplicate:
-      return stored_t::DUPLICATE;
+      return store_answer_t::DUPLICATE;
     case Refusal::Kind::kTooLarge:
-      return stored_t::TOO_LARGE;
+      return store_answer_t::TOO_LARGE;
     case Refusal::Kind::kInvalid:
       break;
   }
-  return stored_t::INVALID;
+  return store_answer_t::INVALID;
 }
 
 }  // namespace
@@ -122,8 +122,9 @@ Result<RecordEdits::Records> Library::EditOf(
 }
 
 void Library::OnStoreRequest(const action_record_t& message) {
-  stored_t answer{};
+  store_answer_t answer{};
   answer.header.utime = message.header.utime;
+  answer.channel = "STORE_REQUEST";
   answer.request_sender = message.header.sender;
   answer.request_seq = message.header.seq;
   ActionRecord record = FromMessage(message);
@@ -135,7 +136,7 @@ void Library::OnStoreRequest(const action_record_t& message) {
     return;
   }
   record.id = store_->Store({&record, 1}, bus_.tick()).front();
-  answer.outcome = stored_t::STORED;
+  answer.outcome = store_answer_t::STORED;
   answer.id = record.id;
   bus_.Publish("STORED", answer);
   Publish(record, message.header.utime);

@@ -48,7 +48,14 @@ Plan CurrentPlan::FindUnblocked(const State& state) const {
 }
 
 std::unique_ptr<Solver> CurrentPlan::MakeUnblocked() const {
-  return make_solver_({rules_, goal_, Agent::kRobot});
+  return make_solver_(problem());
+}
+
+std::unique_ptr<Solver> CurrentPlan::MakeSolverFor(
+    std::shared_ptr<const RuleSet> rules, Goal goal,
+    const std::set<GroundAction>& blocked) const {
+  return make_solver_(
+      {std::move(rules), std::move(goal), Agent::kRobot, blocked});
 }
 
 std::optional<PlanOfState> CurrentPlan::TakeIfNew(const SensedState& sensed) {

@@ -17,8 +17,10 @@ class CurrentPlan {
               SolverMaker make_solver);
 
   const RuleSet& rules() const { return *rules_; }
-  /// Of the plan last found.
-  Problem problem() const { return {rules_, goal_, Agent::kRobot, blocked_}; }
+  const std::shared_ptr<const RuleSet>& shared_rules() const { return rules_; }
+  /// As if nothing had failed yet.
+  Problem problem() const { return {rules_, goal_, Agent::kRobot}; }
+  const std::set<GroundAction>& blocked() const { return blocked_; }
   const SolverMaker& make_solver() const { return make_solver_; }
   /// That the plan is for; nullopt if none was found yet.
   const std::optional<State>& state() const { return state_; }
@@ -34,6 +36,10 @@ class CurrentPlan {
   Plan FindUnblocked(const State& state) const;
   /// A solver for that.
   std::unique_ptr<Solver> MakeUnblocked() const;
+  /// A solver for the robot with other rules and another goal.
+  std::unique_ptr<Solver> MakeSolverFor(
+      std::shared_ptr<const RuleSet> rules, Goal goal,
+      const std::set<GroundAction>& blocked) const;
 
   /// The plan, found for this, if it is another one than the last reported.
   std::optional<PlanOfState> TakeIfNew(const SensedState& sensed);

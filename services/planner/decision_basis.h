@@ -3,8 +3,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "services/planner/decisions.h"
+#include "services/planner/exploration.h"
 #include "services/planner/failure_history.h"
 #include "services/planner/skill_dispatch.h"
 #include "services/planner/solver.h"
@@ -19,7 +21,9 @@ struct DecisionBasis {
   State state = State(0);  ///< that the plan is for
   Plan plan;
   std::map<GroundAction, FailureHistory::Entry> failures = {};
-  std::map<int, RunningSkill> running = {};  ///< by arm
+  std::map<int, RunningSkill> running = {};     ///< by arm
+  std::optional<Exploration> exploration = {};  ///< if the cell learns
+  std::set<GroundAction> not_to_begin = {};
 };
 
 /// Sees all decisions when they are published, except empty ones. No basis if

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/relational/ground_action.h"
 #include "common/text/nearest.h"
 #include "services/planner/execute.h"
 
@@ -33,6 +34,28 @@ DecisionMaker::Answer DecisionMaker::ReplaceRules(
   if (const auto why = rules->WhyNotReplace(*rules_)) return Reason{*why};
   rules_ = std::move(rules);
   return state_->SetRules(rules_);
+}
+
+void DecisionMaker::SetExperiences(
+    std::shared_ptr<const std::vector<TaskExperience>> experiences) {
+  if (params_.execution.exploration) {
+    params_.execution.exploration->experiences = experiences;
+  }
+  state_->SetExperiences(std::move(experiences));
+}
+
+DecisionMaker::Answer DecisionMaker::Confirm(const std::string& action) {
+  if (!is_learning()) {
+    return Reason{"this cell does not learn: there is nothing to confirm"};
+  }
+  if (!FindAction(rules_->actions(), action)) {
+    return Reason{
+        "there is no action '" + action + "'" +
+        NamesInstead(action, NamesIn(rules_->actions(), &Action::name))};
+  }
+  params_.execution.exploration->confirmed.insert(action);
+  state_->Confirm(action);
+  return Decisions{};
 }
 
 Decisions DecisionMaker::OnEpisode(const Episode& episode, Instant now) {

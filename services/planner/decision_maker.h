@@ -40,9 +40,18 @@ class DecisionMaker {
   DecisionMaker(std::shared_ptr<const RuleSet> rules, Params params);
 
   const RuleSet& rules() const { return *rules_; }
+  bool is_learning() const { return params_.execution.exploration.has_value(); }
   /// Replaces the rule set while a state goes on, and plans again by the new
   /// one. Refused with the reason of RuleSet::WhyNotReplace().
   Answer ReplaceRules(std::shared_ptr<const RuleSet> rules);
+  /// What they were learned from, if the cell learns.
+  void SetExperiences(
+      std::shared_ptr<const std::vector<TaskExperience>> experiences);
+
+  /// An operator lets arms do a learned action for the first time. Refused, in
+  /// plain words, for an action that is not known, or if the cell does not
+  /// learn.
+  Answer Confirm(const std::string& action);
 
   Decisions OnEpisode(const Episode& episode, Instant now);
   void OnEpisodeEnd(Instant now);

@@ -28,6 +28,12 @@ class DecisionState {
   virtual void SetPermission(bool /*may_act*/, Instant) {}
   /// Replaces the rule set and plans again at once.
   virtual Decisions SetRules(std::shared_ptr<const RuleSet>) { return {}; }
+  /// What the rules were learned from, if the cell learns.
+  virtual void SetExperiences(
+      std::shared_ptr<const std::vector<TaskExperience>>) {}
+
+  /// An operator lets arms do a learned action for the first time.
+  virtual void Confirm(const std::string& /*action*/) {}
 
   /// True if an episode with a replaceable goal runs.
   virtual bool HasGoal() const { return false; }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/experiences/task_experience.h"
 #include "services/planner/execution_status.h"
 #include "services/planner/judgement.h"
 #include "services/planner/plan.h"
@@ -42,6 +43,7 @@ struct Decisions {
   std::optional<PlanOfState> plan = {};           ///< if there is one to report
   std::optional<ExecutionStatus> execution = {};  ///< if it has changed
   std::vector<Alert> alerts = {};
+  std::vector<TaskExperience> experiences = {};  ///< to be kept
 };
 
 }  // namespace cell::planner

@@ -30,6 +30,7 @@ bool Dialogue::IsPersonAtWork(const State& state, Instant now) {
 bool Dialogue::OnAction(const DoneAction& action) {
   if (!asked_utime_ || action.pick_utime < *asked_utime_) return false;
   topic_.reset();
+  undecided_utime_.reset();  // what it means may not be known at once
   return true;
 }
 

@@ -20,7 +20,34 @@ Execute::Execute(std::shared_ptr<const RuleSet> rules, const Goal& goal,
 
 Decisions Execute::OnSensed(const SensedState& sensed) {
   context_.sensing.Update(sensed);
-  return {};
+  Decisions out;
+  if (context_.sensing.Fresh() != nullptr) EndTrials(out);
+  return out;
+}
+
+/// The arms' own skills, which only robots have, are not learned.
+void Execute::BeginTrial(const EndedSkill& ended) {
+  if (!context_.params.exploration || !ended.counts || !ended.skill.action) {
+    return;
+  }
+  const RuleSet& rules = context_.plan.rules();
+  const Action& action = rules.ActionOf(*ended.skill.action);
+  if (!action.MayBeDoneBy(Agent::kPerson)) return;
+  context_.trials.push_back({action.name, ended.skill.action->arguments,
+                             Agent::kRobot, ended.skill.before, State(0)});
+}
+
+/// What is sensed now is what came of them.
+void Execute::EndTrials(Decisions& out) {
+  const Vocabulary& vocabulary = context_.plan.rules().vocabulary();
+  for (TaskExperience& trial : context_.trials) {
+    trial.before = WithoutArms(trial.before, vocabulary);
+    trial.after = WithoutArms(context_.sensing.Fresh()->state, vocabulary);
+    context_.lesson_utime =
+        context_.sensing.Fresh()->utime + context_.params.lesson_us;
+    out.experiences.push_back(std::move(trial));
+  }
+  context_.trials.clear();
 }
 
 Decisions Execute::OnAction(const DoneAction& action) {
@@ -43,6 +70,7 @@ void Execute::OnSkillResult(const SkillResult& result) {
 
 void Execute::OnSkillEnd(const EndedSkill& ended) {
   context_.sensing.RequireSince(ended.utime + context_.params.settle_us);
+  BeginTrial(ended);
   state_->OnSkillEnd(ended);
 }
 
@@ -53,7 +81,21 @@ void Execute::SetPermission(bool may_act, Instant now) {
 
 Decisions Execute::SetRules(std::shared_ptr<const RuleSet> rules) {
   context_.plan.SetRules(std::move(rules));
+  context_.lesson_utime = 0;
   return {};
+}
+
+void Execute::SetExperiences(
+    std::shared_ptr<const std::vector<TaskExperience>> experiences) {
+  if (context_.params.exploration) {
+    context_.params.exploration->experiences = std::move(experiences);
+  }
+}
+
+void Execute::Confirm(const std::string& action) {
+  if (!context_.params.exploration) return;
+  context_.params.exploration->confirmed.insert(action);
+  state_ = std::make_unique<AwaitRest>();
 }
 
 Decisions Execute::SetGoal(const Goal& goal) {
@@ -67,12 +109,16 @@ Decisions Execute::SetGoal(const Goal& goal) {
 std::optional<DecisionBasis> Execute::Basis() const {
   const CurrentPlan& plan = context_.plan;
   if (!plan.state()) return std::nullopt;
-  return DecisionBasis{.problem = plan.problem(),
-                       .make_solver = plan.make_solver(),
-                       .state = *plan.state(),
-                       .plan = plan.get(),
-                       .failures = context_.dispatch.failures().entries(),
-                       .running = context_.dispatch.running()};
+  DecisionBasis basis{.problem = plan.problem(),
+                      .make_solver = plan.make_solver(),
+                      .state = *plan.state(),
+                      .plan = plan.get(),
+                      .failures = context_.dispatch.failures().entries(),
+                      .running = context_.dispatch.running(),
+                      .exploration = context_.params.exploration,
+                      .not_to_begin = context_.NotToBegin()};
+  basis.problem.blocked = plan.blocked();
+  return basis;
 }
 
 Decisions Execute::Decide(Instant now) {

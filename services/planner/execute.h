@@ -26,6 +26,9 @@ class Execute final : public DecisionState {
   void OnSkillResult(const SkillResult& result) override;
   void SetPermission(bool may_act, Instant now) override;
   Decisions SetRules(std::shared_ptr<const RuleSet> rules) override;
+  void SetExperiences(
+      std::shared_ptr<const std::vector<TaskExperience>> experiences) override;
+  void Confirm(const std::string& action) override;
   bool HasGoal() const override { return true; }
   /// From the end of what runs on.
   Decisions SetGoal(const Goal& goal) override;
@@ -36,6 +39,8 @@ class Execute final : public DecisionState {
 
  private:
   void OnSkillEnd(const EndedSkill& ended);
+  void BeginTrial(const EndedSkill& ended);
+  void EndTrials(Decisions& out);
 
   ExecutionContext context_;
   std::unique_ptr<ExecutionState> state_;

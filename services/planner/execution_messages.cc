@@ -73,6 +73,21 @@ literal_t ToMessage(const RequiredChange& change,
   return literal;
 }
 
+/// `_`: any object.
+literal_t ToMessage(const Literal& literal, const Vocabulary& vocabulary) {
+  literal_t message{};
+  message.predicate =
+      vocabulary.predicates()[static_cast<size_t>(literal.relation)].name;
+  for (const Term& term : literal.terms) {
+    message.arguments.push_back(term.kind == Term::Kind::kObject
+                                    ? vocabulary.objects()[term.index].name
+                                    : "_");
+  }
+  message.num_arguments = static_cast<int32_t>(message.arguments.size());
+  message.value = literal.is_negated ? literal_t::FALSE_ : literal_t::TRUE_;
+  return message;
+}
+
 }  // namespace
 
 std::optional<ArmState> FromMessage(const arm_report_t& message,
@@ -130,6 +145,7 @@ skill_request_t ToMessage(const SkillRequest& request,
   message.deadline_utime = request.deadline_utime;
   message.arm = objects[request.arm].name;
   message.skill = request.skill;
+  message.is_careful = request.is_careful ? 1 : 0;
   SkillArguments arguments;
   for (const auto& [name, object] : request.arguments) {
     arguments[name] = objects[object].name;
@@ -146,6 +162,9 @@ execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules) {
   message.formula = status.formula;
   for (const RequiredChange& change : status.needed) {
     message.needed.push_back(ToMessage(change, rules.vocabulary()));
+  }
+  for (const Literal& literal : status.unlearned) {
+    message.needed.push_back(ToMessage(literal, rules.vocabulary()));
   }
   message.num_needed = static_cast<int32_t>(message.needed.size());
   const auto skill = status.step ? rules.SkillOf(*status.step) : std::nullopt;

@@ -18,6 +18,8 @@ struct ExecutionStatus {
   std::string formula = {};
   /// kStuck: what would have to be otherwise.
   std::vector<RequiredChange> needed = {};
+  /// kStuck: of which the person is to show one.
+  std::vector<Literal> unlearned = {};
   /// kStuck: the step that is left to a person.
   std::optional<GroundAction> step = {};
   bool operator==(const ExecutionStatus&) const = default;

@@ -14,6 +14,11 @@ bool IsDecided(const Plan& plan) {
   return plan.result != Plan::Result::kUndecided;
 }
 
+/// Of what nobody has shown, nothing can be said.
+bool CanBeJudged(const Plan& plan) {
+  return plan.result != Plan::Result::kNotLearned;
+}
+
 bool Concerns(const DoneAction& action, const GroundAtom& atom) {
   return std::any_of(atom.objects.begin(), atom.objects.end(), [&](int object) {
     return std::count(action.objects.begin(), action.objects.end(), object) > 0;
@@ -81,6 +86,7 @@ std::optional<Alert> Monitor::Judge(const DoneAction& action,
     deferred_.push_back(action);
     return std::nullopt;
   }
+  if (!CanBeJudged(plan)) return std::nullopt;
   Judgement judgement = WithStates(action, after.state);
   const std::optional<double> without = judgement.expected_actions_before;
   const auto warn = [&](Alert::Cause cause, std::string text) {

@@ -38,12 +38,15 @@ struct Plan {
     kFound,
     kGoalReached,
     kNoPlan,
-    kUndecided  ///< depends on atoms that are unknown, or is too large
+    kNotLearned,  ///< no rule brings about some of the goal
+    kUndecided    ///< depends on atoms that are unknown, or is too large
   };
   Result result = Result::kUndecided;
   std::string reason;  ///< in plain words, if there is no plan
   std::vector<RequiredChange>
       needed;  ///< what would allow one, if something would
+  /// kNotLearned: what no rule brings about.
+  std::vector<Literal> unlearned = {};
   double probability = 0;
   double expected_actions = 0;  ///< given that the goal is reached
   std::vector<PlanStep> steps;  ///< the most likely course

@@ -1,11 +1,14 @@
 #include "services/planner/plan_search.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
+
+#include "services/planner/unlearned.h"
 
 namespace cell::planner {
 namespace {
@@ -15,6 +18,16 @@ constexpr size_t kMaxNamedUnknowns = 5;
 /// Values without the last digits, which depend on the order of questions.
 double Rounded(double value) {
   return std::round(value * 1e9) / 1e9;
+}
+
+std::string WhyNotLearned(const std::vector<Literal>& unlearned,
+                          const Vocabulary& vocabulary) {
+  std::vector<std::string> names;
+  for (const Literal& literal : unlearned) {
+    names.push_back(Show(literal, {}, vocabulary));
+  }
+  return fmt::format("no action is known after which {} would hold",
+                     fmt::join(names, ", or "));
 }
 
 }  // namespace
@@ -31,6 +44,20 @@ SolverMaker PlanSearch::Maker(const Params& params) {
 }
 
 Plan PlanSearch::Find(const State& state) {
+  Plan plan = FindWithoutReason(state);
+  if (plan.result != Plan::Result::kNoPlan) return plan;
+  Excuse excuse = WhyNoPlan(state.UnknownAsFalse());
+  plan.reason = std::move(excuse.text);
+  plan.needed = std::move(excuse.needed);
+  return plan;
+}
+
+Plan PlanSearch::FindWithoutReason(const State& state) {
+  if (auto unlearned = UnlearnedLiterals(problem_, state); !unlearned.empty()) {
+    return {.result = Plan::Result::kNotLearned,
+            .reason = WhyNotLearned(unlearned, vocabulary()),
+            .unlearned = std::move(unlearned)};
+  }
   Plan plan = Solve(state.UnknownAsFalse());
   const bool is_surely_reached = std::all_of(
       problem_.goal.literals.begin(), problem_.goal.literals.end(),
@@ -43,10 +70,6 @@ Plan PlanSearch::Find(const State& state) {
   if (state.HasUnknown() && Solve(state).result != Plan::Result::kNoPlan) {
     plan.result = Plan::Result::kUndecided;
     plan.reason = WhyUndecided(state);
-  } else {
-    Excuse excuse = WhyNoPlan(state.UnknownAsFalse());
-    plan.reason = std::move(excuse.text);
-    plan.needed = std::move(excuse.needed);
   }
   return plan;
 }

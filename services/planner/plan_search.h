@@ -23,6 +23,7 @@ class PlanSearch final : public Solver {
   static SolverMaker Maker(const Params& params);
 
   Plan Find(const State& state) override;
+  Plan FindWithoutReason(const State& state) override;
   std::vector<Alternative> Alternatives(const State& state) override;
   int num_states() const { return space_.size(); }
 

@@ -26,13 +26,15 @@ std::string InCapitals(std::string text) {
 
 }  // namespace
 
-Planner::Planner(Bus& bus, Domain domain,
+Planner::Planner(Bus& bus, Knowledge knowledge,
                  std::unique_ptr<DecisionMaker> decision_maker)
     : bus_(bus),
-      domain_(std::move(domain)),
+      knowledge_(std::move(knowledge)),
       decision_maker_(std::move(decision_maker)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
+  AnswerCommands<command_confirm_t>(
+      bus_, "COMMAND_CONFIRM", [this](const auto& m) { return OnConfirm(m); });
   AnswerCommands<command_goal_t>(bus_, "COMMAND_GOAL",
                                  [this](const auto& m) { return OnGoal(m); });
   bus_.Subscribe<operating_mode_t>("MODE",
@@ -45,6 +47,10 @@ Planner::Planner(Bus& bus, Domain domain,
       "ACTION_RECORD", [this](const auto& m) { return OnRecord(m); });
   bus_.Subscribe<skill_result_t>("SKILL_RESULT",
                                  [this](const auto& m) { return OnResult(m); });
+  if (knowledge_.is_learning()) {
+    bus_.Subscribe<experience_t>(
+        "EXPERIENCE", [this](const auto& m) { return OnExperience(m); });
+  }
   const RuleSet& rules = decision_maker_->rules();
   const ArmStates arms(rules.shared_vocabulary());
   for (const int arm : arms.arms()) {
@@ -54,7 +60,10 @@ Planner::Planner(Bus& bus, Domain domain,
         [this, name](const auto& m) { return OnReport(name, m); });
   }
   // After all messages.
-  bus_.Every(1, 0, [this] { Publish(decision_maker_->state().Decide(Now())); });
+  bus_.Every(1, 0, [this] {
+    Relearn();
+    Publish(decision_maker_->state().Decide(Now()));
+  });
   bus_.Every(kReviewPeriod, 0,
              [this] { Publish(decision_maker_->state().Review(Now())); });
 }
@@ -68,10 +77,17 @@ bool Planner::OnEpisode(const episode_t& message) {
   }
   if (event == EpisodeEvent::kEnds) decision_maker_->OnEpisodeEnd(Now());
   if (event == EpisodeEvent::kBegins || has_joined_late) {
+    demonstrations_.Clear();
     Publish(decision_maker_->OnEpisode(
         {has_joined_late, message.agent, message.goal}, Now()));
   }
   return event.has_value();
+}
+
+CommandAnswer Planner::OnConfirm(const command_confirm_t& message) {
+  const DecisionMaker::Answer answer = decision_maker_->Confirm(message.action);
+  if (!answer) return CommandAnswer::Refuse(answer.reason());
+  return CommandAnswer::Accept("arms may do " + message.action);
 }
 
 CommandAnswer Planner::OnGoal(const command_goal_t& message) {
@@ -92,36 +108,67 @@ bool Planner::OnPredicates(const predicates_t& message) {
   if (message.header.utime > bus_.now()) return false;
   const auto sensed =
       FromMessage(message, decision_maker_->rules().vocabulary());
-  if (sensed) Publish(decision_maker_->state().OnSensed(*sensed));
-  return sensed.has_value();
+  if (!sensed) return false;
+  if (knowledge_.is_learning()) demonstrations_.Update(*sensed);
+  Publish(decision_maker_->state().OnSensed(*sensed));
+  return true;
 }
 
 bool Planner::OnAction(const recognised_action_t& message) {
   if (episode_.IsBefore(message.header.utime)) return true;
-  const auto action = FromMessage(message, decision_maker_->rules());
-  if (action) Publish(decision_maker_->state().OnAction(*action));
-  return action.has_value();
+  Relearn();  // it may be of a record that came at the same time
+  const RuleSet& rules = decision_maker_->rules();
+  const auto action = FromMessage(message, rules);
+  if (!action) return false;
+  const auto shown = ShownActionFrom(message, rules);
+  if (shown && knowledge_.is_learning()) demonstrations_.Update(*shown);
+  Publish(decision_maker_->state().OnAction(*action));
+  return true;
 }
 
 bool Planner::OnRecord(const action_record_t& message) {
-  const auto refuse = [this](const std::string& why) {
-    const Alert alert{Alert::Cause::kBadInput, bus_.now(),
-                      "ACTION_RECORD " + why};
-    bus_.Publish("ALERT", ToMessage(alert));
-    return false;
-  };
   try {
-    const ActionRecord record = cell::FromMessage(message);
-    if (!domain_.Put(ReadAction(record, domain_))) return true;
-    const int64_t version = decision_maker_->rules().version() + 1;
-    const DecisionMaker::Answer answer = decision_maker_->ReplaceRules(
-        RuleSet::FromDomain(domain_, record.name, version));
-    if (!answer) return refuse(answer.reason());
-    Publish(*answer);
+    knowledge_.Put(cell::FromMessage(message));
     return true;
   } catch (const ConfigError& e) {
-    return refuse(e.what());
+    Refuse("ACTION_RECORD", e.what());
+    return false;
   }
+}
+
+bool Planner::OnExperience(const experience_t& message) {
+  const auto experience =
+      cell::FromMessage(message, decision_maker_->rules().vocabulary());
+  if (!experience) {
+    Refuse("EXPERIENCE", experience.reason());
+    return false;
+  }
+  knowledge_.Add(message.id, *experience);
+  return true;
+}
+
+void Planner::Relearn() {
+  for (const TaskExperience& shown : demonstrations_.Take()) Keep(shown);
+  const auto rules =
+      knowledge_.TakeChange(decision_maker_->rules().version() + 1);
+  if (rules == nullptr) return;
+  if (knowledge_.why_not()) Refuse("EXPERIENCE", *knowledge_.why_not());
+  decision_maker_->SetExperiences(knowledge_.experiences());
+  const DecisionMaker::Answer answer = decision_maker_->ReplaceRules(rules);
+  if (!answer) return Refuse("ACTION_RECORD", answer.reason());
+  Publish(*answer);
+}
+
+void Planner::Refuse(const std::string& channel, const std::string& why) {
+  bus_.Publish("ALERT", ToMessage(Alert{Alert::Cause::kBadInput, bus_.now(),
+                                        channel + " " + why}));
+}
+
+void Planner::Keep(const TaskExperience& experience) {
+  experience_t message =
+      cell::ToMessage(experience, decision_maker_->rules().vocabulary());
+  message.header.utime = bus_.now();
+  bus_.Publish("EXPERIENCE_REQUEST", message);
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
@@ -158,6 +205,9 @@ void Planner::Publish(const Decisions& decisions) {
   for (const Alert& alert : decisions.alerts) {
     bus_.Publish("ALERT", ToMessage(alert));
   }
+  for (const TaskExperience& experience : decisions.experiences) {
+    Keep(experience);
+  }
   if (observer_ && (decisions.plan || decisions.execution ||
                     !decisions.requests.empty() || !decisions.alerts.empty())) {
     observer_(Now(), decisions, decision_maker_->state().Basis());
@@ -171,10 +221,11 @@ std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
 std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
                                              const Deployment& deployment,
                                              DecisionObserver observer) {
-  Domain domain = LoadTask(deployment).domain;
+  const Domain domain = LoadTask(deployment).domain;
   auto decision_maker = LoadDecisionMaker(domain, deployment);
-  auto planner = std::make_unique<Planner>(bus, std::move(domain),
-                                           std::move(decision_maker));
+  auto planner = std::make_unique<Planner>(
+      bus, Knowledge(domain, decision_maker->is_learning()),
+      std::move(decision_maker));
   planner->SetObserver(std::move(observer));
   return planner;
 }

@@ -6,7 +6,9 @@
 
 #include "cell/action_record_t.hpp"
 #include "cell/arm_report_t.hpp"
+#include "cell/command_confirm_t.hpp"
 #include "cell/command_goal_t.hpp"
+#include "cell/experience_t.hpp"
 #include "cell/operating_mode_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
@@ -15,9 +17,10 @@
 #include "common/bus/command_answer.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
-#include "common/relational/domain.h"
 #include "services/planner/decision_basis.h"
 #include "services/planner/decision_maker.h"
+#include "services/planner/demonstrations.h"
+#include "services/planner/knowledge.h"
 
 namespace cell::planner {
 
@@ -29,7 +32,7 @@ namespace cell::planner {
 class Planner final : public Service {
  public:
   /// `bus` must outlive this object.
-  Planner(Bus& bus, Domain domain,
+  Planner(Bus& bus, Knowledge knowledge,
           std::unique_ptr<DecisionMaker> decision_maker);
 
   /// Is told of all decisions from now on.
@@ -39,19 +42,26 @@ class Planner final : public Service {
 
  private:
   bool OnEpisode(const episode_t& message);
+  CommandAnswer OnConfirm(const command_confirm_t& message);
   CommandAnswer OnGoal(const command_goal_t& message);
   bool OnMode(const operating_mode_t& message);
   bool OnPredicates(const predicates_t& message);
   bool OnAction(const recognised_action_t& message);
   bool OnRecord(const action_record_t& message);
+  bool OnExperience(const experience_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
   Instant Now() const { return {bus_.now(), bus_.tick()}; }
+  /// Goes on by what has been learned since the last call.
+  void Relearn();
+  void Refuse(const std::string& channel, const std::string& why);
   void Publish(const Decisions& decisions);
+  void Keep(const TaskExperience& experience);
 
   Bus& bus_;
   EpisodeGate episode_;
-  Domain domain_;  // with the actions that the library has
+  Knowledge knowledge_;
+  Demonstrations demonstrations_;  // of the episode
   std::unique_ptr<DecisionMaker> decision_maker_;
   DecisionObserver observer_;
 };

@@ -47,10 +47,17 @@ ExecutionParams LoadExecution(const Config& config, const RuleSet& rules) {
       Duration(config, "watch_period_ms", kMinuteMs, kTickMs);
   params.patience_us = Duration(config, "patience_ms", kMinuteMs);
   params.dispatch.lost_us = Duration(config, "lost_ms", kMinuteMs, kTickMs);
+  params.lesson_us = Duration(config, "lesson_ms", kMinuteMs);
   params.dispatch.max_attempts = config.Integer("max_attempts", 1, 100);
   params.parallel = config.Get<bool>("parallel");
   params.help_steps = LoadSteps(config.ItemsOf("help_steps"), rules);
   return params;
+}
+
+Exploration LoadExploration(const Config& config) {
+  return {.known_count = config.Integer("known_count", 1, 1000),
+          .needs_confirmation = config.Get<bool>("confirmation"),
+          .experiences = std::make_shared<const std::vector<TaskExperience>>()};
 }
 
 Watch::Params LoadWatch(const Config& config) {
@@ -76,6 +83,8 @@ std::unique_ptr<DecisionMaker> LoadDecisionMaker(const Domain& domain,
   params.watch = LoadWatch(config);
   params.watch.monitor.requests = domain.requests();
   params.execution = LoadExecution(config["execution"], *rules);
+  const Exploration exploration = LoadExploration(config["exploration"]);
+  if (config.Get<bool>("learning")) params.execution.exploration = exploration;
   params.execution.requests = domain.requests();
   config.Finish();
   return std::make_unique<DecisionMaker>(rules, std::move(params));

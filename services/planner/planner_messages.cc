@@ -42,6 +42,8 @@ int8_t CodeOf(Plan::Result result) {
       return plan_t::GOAL_REACHED;
     case Plan::Result::kNoPlan:
       return plan_t::NO_PLAN;
+    case Plan::Result::kNotLearned:
+      return plan_t::NOT_LEARNED;
     case Plan::Result::kUndecided:
       return plan_t::UNDECIDED;
   }
@@ -155,6 +157,50 @@ std::optional<DoneAction> FromMessage(const recognised_action_t& message,
   if (message.kind != recognised_action_t::REVERSED) return std::nullopt;
   action.text = "taking back " + action.text;
   return action;
+}
+
+namespace {
+
+/// An arm that the domain knows.
+bool IsArm(const std::string& hand, const Vocabulary& vocabulary) {
+  return vocabulary.FindObject(hand).has_value();
+}
+
+/// The action that the named one reverses is done by this one; nullopt if there
+/// is none.
+std::optional<std::string> NameOfReverse(const std::string& name,
+                                         const RuleSet& rules) {
+  const auto undone = FindAction(rules.actions(), name);
+  for (const Action& action : rules.actions()) {
+    if (undone && action.undoes == undone) return action.name;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ShownAction> ShownActionFrom(const recognised_action_t& message,
+                                           const RuleSet& rules) {
+  const Vocabulary& vocabulary = rules.vocabulary();
+  const bool is_by_arm = std::ranges::any_of(
+      message.hands,
+      [&](const std::string& hand) { return IsArm(hand, vocabulary); });
+  if (message.name.empty() || is_by_arm || message.pick_key_frame < 0 ||
+      message.place_key_frame < message.pick_key_frame) {
+    return std::nullopt;
+  }
+  ShownAction shown{
+      message.name, {}, false, message.pick_key_frame, message.place_key_frame};
+  for (const std::string& name : message.arguments) {
+    const auto object = vocabulary.FindObject(name);
+    if (!object) return std::nullopt;
+    shown.objects.push_back(*object);
+  }
+  if (message.kind != recognised_action_t::REVERSED) return shown;
+  const auto reverse = NameOfReverse(message.name, rules);
+  shown.is_reversed = !reverse;
+  if (reverse) shown.action = *reverse;
+  return shown;
 }
 
 plan_t ToMessage(const PlanOfState& of_state, const RuleSet& rules) {

@@ -8,6 +8,7 @@
 #include "cell/recognised_action_t.hpp"
 #include "common/relational/rule_set.h"
 #include "services/planner/decision_maker.h"
+#include "services/planner/demonstrations.h"
 
 namespace cell::planner {
 
@@ -19,6 +20,11 @@ std::optional<SensedState> FromMessage(const predicates_t& message,
 /// Nullopt if names, arguments, codes or key frames cannot be.
 std::optional<DoneAction> FromMessage(const recognised_action_t& message,
                                       const RuleSet& rules);
+
+/// What a person's hand has shown, if it is recognised, or has opened or joined
+/// a record of the library; nullopt otherwise.
+std::optional<ShownAction> ShownActionFrom(const recognised_action_t& message,
+                                           const RuleSet& rules);
 
 plan_t ToMessage(const PlanOfState& plan, const RuleSet& rules);
 alert_t ToMessage(const Alert& alert);

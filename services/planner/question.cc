@@ -107,7 +107,8 @@ ExecutionStatus AskAfterFailures(const GroundAction& action,
                           "do it yourself, or remove what prevents it",
                           whose, failed.count,
                           WordsFor(action, rules, requests), failed.reason),
-      .formula = rules.Show(action)};
+      .formula = rules.Show(action),
+      .step = action};
 }
 
 }  // namespace
@@ -130,6 +131,24 @@ ExecutionStatus AskForHelp(const CurrentPlan& plan, const State& state,
   return AskForChanges(plan.get(), state, plan.rules().vocabulary(), requests);
 }
 
+ExecutionStatus AskForDemonstration(const Plan& not_learned,
+                                    const Vocabulary& vocabulary,
+                                    const RequestWords& requests) {
+  std::vector<std::string> words;
+  for (const Literal& literal : not_learned.unlearned) {
+    words.push_back(
+        requests.ToMake(literal, vocabulary)
+            .value_or("make sure that " + Show(literal, {}, vocabulary)));
+  }
+  return {.state = ExecutionStatus::State::kStuck,
+          .text = fmt::format("please show me {}, which I have not learned "
+                              "yet: {}",
+                              words.size() == 1 ? "this" : "one of these",
+                              fmt::join(words, "; ")),
+          .formula = not_learned.reason,
+          .unlearned = not_learned.unlearned};
+}
+
 std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
                             const RequestWords& requests) {
   std::vector<std::string> words;
@@ -142,6 +161,15 @@ std::string WordsForChanges(const Plan& no_plan, const Vocabulary& vocabulary,
 std::string AskForStep(const GroundAction& action, const RuleSet& rules,
                        const RequestWords& requests) {
   return "please " + WordsFor(action, rules, requests);
+}
+
+ExecutionStatus AskForConfirmation(const GroundAction& action,
+                                   const RuleSet& rules) {
+  const std::string& name = rules.ActionOf(action).name;
+  return {.state = ExecutionStatus::State::kStuck,
+          .text = fmt::format("{} was learned, and no arm has done it yet: let "
+                              "me do {} at half speed (cell confirm {})",
+                              name, rules.Show(action), name)};
 }
 
 std::string AskForView(const GroundAction& action, const RuleSet& rules,

@@ -19,6 +19,7 @@ struct SkillRequest {
   Purpose purpose = Purpose::kAction;
   std::string skill = {};                     ///< one that the arm reports
   std::map<std::string, int> arguments = {};  ///< objects by name
+  bool is_careful = false;                    ///< at half speed
 };
 
 /// How a skill ended.

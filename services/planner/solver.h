@@ -31,6 +31,8 @@ class Solver {
   /// Unknown atoms are taken as false; if there is a plan only if some are
   /// true, the result is undecided.
   virtual Plan Find(const State& state) = 0;
+  /// The same, but not why there is none.
+  virtual Plan FindWithoutReason(const State& state) = 0;
   /// All actions that may change the state, those that lead nowhere last.
   /// Unknown atoms are taken as false. Empty if the solver cannot tell.
   virtual std::vector<Alternative> Alternatives(const State&) { return {}; }

@@ -50,7 +50,8 @@ Recognizer::Recognizer(Bus& bus, const Params& params)
   AnswerCommands<command_name_t>(bus, "COMMAND_NAME",
                                  [this](const auto& m) { return OnName(m); });
   if (!learning_) return;
-  bus.Subscribe<stored_t>("STORED", [this](const auto& m) { OnStored(m); });
+  bus.Subscribe<store_answer_t>("STORED",
+                                [this](const auto& m) { OnStored(m); });
   bus.Every(1, 0, [this] { RequestChanges(); });
 }
 
@@ -113,8 +114,11 @@ CommandAnswer Recognizer::OnName(const command_name_t& message) {
               : CommandAnswer::Refuse(text.reason());
 }
 
-void Recognizer::OnStored(const stored_t& message) {
-  if (message.outcome == stored_t::STORED) return;
+void Recognizer::OnStored(const store_answer_t& message) {
+  if (message.channel != "STORE_REQUEST" ||
+      message.outcome == store_answer_t::STORED) {
+    return;
+  }
   learning_->OnRefusal();
   alert_t alert{};
   alert.header.utime = bus_.now();

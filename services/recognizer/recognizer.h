@@ -9,7 +9,7 @@
 #include "cell/action_record_t.hpp"
 #include "cell/command_name_t.hpp"
 #include "cell/key_frame_t.hpp"
-#include "cell/stored_t.hpp"
+#include "cell/store_answer_t.hpp"
 #include "common/actions/action_models.h"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
@@ -53,7 +53,7 @@ class Recognizer final : public Service {
   bool OnKeyFrame(const key_frame_t& message);
   bool OnRecord(const action_record_t& message);
   CommandAnswer OnName(const command_name_t& message);
-  void OnStored(const stored_t& message);
+  void OnStored(const store_answer_t& message);
   void Begin();
   void Learn(const ObservedManipulation& manipulation,
              const std::vector<RecognisedAction>& actions);

@@ -11,7 +11,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kStartTime = 0.3;  // [s] until full speed after a freeze
+constexpr double kStartTime = 0.3;    // [s] until full speed after a freeze
+constexpr double kCarefulRate = 0.5;  // of the speed
 const std::vector<double> kLookAhead = {0.05, 0.15, 0.3, 0.45};  // [s]
 
 bool GoesFirst(const CellLayout& layout, const std::string& arm) {
@@ -88,7 +89,8 @@ ArmCommand ArmWorker::Step(const ArmReading& reading,
   is_frozen_ = permission == MotionPermission::kFreeze || reading.is_stopped;
   const bool stands = is_frozen_ || MustYield(dt);
   rate_ = stands ? 0 : std::min(1.0, rate_ + dt / kStartTime);
-  if (run_ && !stands) End(run_->Step(rate_ * dt));
+  const double careful = run_ && run_->request().is_careful ? kCarefulRate : 1;
+  if (run_ && !stands) End(run_->Step(careful * rate_ * dt));
   return arm_.command();
 }
 

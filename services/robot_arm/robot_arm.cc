@@ -199,7 +199,8 @@ bool RobotArm::OnRequest(const skill_request_t& message) {
   if (message.arm != name_) return true;
   auto arguments = ArgumentsOf(message);
   if (!arguments) return false;
-  const SkillRequest request{message.id, message.skill, *std::move(arguments)};
+  const SkillRequest request{message.id, message.skill, *std::move(arguments),
+                             message.is_careful != 0};
   if (bus_.now() > message.deadline_utime) {
     PublishResult(
         {request.id, SkillResult::Outcome::kRefused,

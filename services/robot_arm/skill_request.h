@@ -12,6 +12,7 @@ struct SkillRequest {
   int64_t id = 0;
   std::string skill;
   SkillArguments arguments;
+  bool is_careful = false;  ///< at half speed
 
   /// Empty if it has none of that name.
   std::string Argument(const std::string& name) const {

@@ -4,8 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include "common/predicates/seat.h"
-
 namespace cell::vtb {
 namespace {
 
@@ -15,37 +13,12 @@ using Eigen::Vector3d;
 constexpr double kRetryAfter = 2;     // [s] if nothing can be done now
 constexpr double kFromGripper = 0.3;  // [m] parts nearer to one are left alone
 constexpr int kTriesPerPlace = 20;
+constexpr double kReactionTime = 1;  // [s] to a question
+/// [s] The cell has time to say something else before the person goes on.
+constexpr double kTimeToRespond = 10;
+constexpr int kMaxTries = 3;     // for one question
 constexpr double kHoldTime = 3;  // [s] a part is kept in the hand
 constexpr uint64_t kOwnChance = 0x5bd1e995;
-
-bool IsAt(const Site& site, const Part& part, const PlacementRule& rule,
-          const World& world) {
-  const Isometry3d X_WS = world.PoseOf(site.host) * site.X_HS;
-  return IsSeated(X_WS.inverse() * world.PoseOf(part.name), part.symmetry_order,
-                  rule.seated);
-}
-
-/// Calls visit(site) for every site of the type.
-template <class Visitor>
-void ForEachSite(const PartTable& table, const std::string& type,
-                 Visitor visit) {
-  for (const Part& host : table.parts()) {
-    for (const Site& site : host.sites) {
-      if (site.type == type) visit(site);
-    }
-  }
-}
-
-/// The part that sits there by the rule, or nullptr.
-const Part* PartAt(const Site& site, const PlacementRule& rule,
-                   const World& world) {
-  for (const Part& part : world.table().parts()) {
-    if (part.type == rule.part_type && IsAt(site, part, rule, world)) {
-      return &part;
-    }
-  }
-  return nullptr;
-}
 
 }  // namespace
 
@@ -77,9 +50,20 @@ void DisturbanceModel::AskFor(const std::string& part,
   if (script_->disturbance->helps && hand_.is_idle()) requested_ = {part, site};
 }
 
+void DisturbanceModel::AskFor(std::vector<HelpRequest> requests) {
+  if (!script_->disturbance->helps) return;
+  requests_ = std::move(requests);
+  num_tries_left_ = requests_.empty() ? 0 : kMaxTries;
+  begin_time_ = time_ + kReactionTime;
+}
+
 void DisturbanceModel::Update(double dt, World& world) {
   time_ += dt;
-  if (hand_.is_idle()) Begin(world);
+  if (hand_.is_idle()) {
+    Begin(world);
+  } else if (num_tries_left_ < kMaxTries) {
+    begin_time_ = time_ + kTimeToRespond;
+  }
   hand_.Update(dt, world, *sampler_, random_);
 }
 
@@ -88,12 +72,36 @@ void DisturbanceModel::Begin(World& world) {
     Place(*placement, world);
     return;
   }
+  if (num_tries_left_ > 0 && time_ >= begin_time_) Help(world);
+  if (!hand_.is_idle()) return;
   if (times_.empty() || time_ < times_.front()) return;
   has_tried_in_vain_ = !Disturb(world);
   if (has_tried_in_vain_) {
     times_.front() = time_ + kRetryAfter;
   } else {
     times_.erase(times_.begin());
+  }
+}
+
+/// One thing that was asked for, the first that can be done.
+void DisturbanceModel::Help(World& world) {
+  --num_tries_left_;
+  begin_time_ = time_ + kTimeToRespond;
+  const std::vector<std::string> loose = LooseParts(world);
+  for (const HelpRequest& request : requests_) {
+    const auto action = ActionFor(request, *demonstrations_, loose, world);
+    if (!action) continue;
+    if (!action->is_removal) {
+      Place({action->part, action->site}, world);
+      return;
+    }
+    const auto X_WO =
+        sampler_->FreePlace(action->part, SceneIn(world), kMinMove, random_);
+    if (!X_WO) continue;
+    hand_.PickUp(action->part, action->site);
+    hand_.Place(action->part, {nullptr, "", *X_WO});
+    hand_.GoToRest();
+    return;
   }
 }
 
@@ -131,18 +139,18 @@ bool DisturbanceModel::PlaceSomething(const World& world) {
   std::vector<Placement> possible;
   const std::vector<std::string> loose = LooseParts(world);
   for (const auto& [name, rule] : demonstrations_->rules) {
-    if (!IsReady(rule, world) ||
+    if (!IsReady(rule, *demonstrations_, world) ||
         std::ranges::find(taken, rule.site_type) != taken.end()) {
       continue;
     }
-    ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
-      if (PartAt(site, rule, world) != nullptr) return;
+    for (const Site* site : SitesOf(world.table(), rule.site_type)) {
+      if (PartAt(*site, rule, world) != nullptr) continue;
       for (const std::string& part : loose) {
         if (world.table().Find(part)->type == rule.part_type) {
-          possible.push_back({part, site.name});
+          possible.push_back({part, site->name});
         }
       }
-    });
+    }
   }
   if (possible.empty()) return false;
   return Place(possible[std::uniform_int_distribution<size_t>(
@@ -181,9 +189,9 @@ std::vector<std::string> DisturbanceModel::LooseParts(
     bool is_seated = false;
     for (const auto& [name, rule] : demonstrations_->rules) {
       if (rule.part_type != part.type) continue;
-      ForEachSite(world.table(), rule.site_type, [&](const Site& site) {
-        is_seated |= IsAt(site, part, rule, world);
-      });
+      for (const Site* site : SitesOf(world.table(), rule.site_type)) {
+        is_seated |= PartAt(*site, rule, world) == &part;
+      }
     }
     if (!is_at_gripper && !is_seated) loose.push_back(part.name);
   }
@@ -247,19 +255,6 @@ std::optional<Isometry3d> DisturbanceModel::AtOneOfThePlaces(
     }
   }
   return std::nullopt;
-}
-
-/// All that must come before is in place.
-bool DisturbanceModel::IsReady(const PlacementRule& rule,
-                               const World& world) const {
-  return std::ranges::all_of(rule.after, [&](const std::string& before) {
-    const PlacementRule& earlier = demonstrations_->rules.at(before);
-    bool is_done = true;
-    ForEachSite(world.table(), earlier.site_type, [&](const Site& site) {
-      is_done &= PartAt(site, earlier, world) != nullptr;
-    });
-    return is_done;
-  });
 }
 
 }  // namespace cell::vtb

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "services/vtb/hand_actor.h"
+#include "services/vtb/help_request.h"
 #include "services/vtb/placement_sampler.h"
 #include "services/vtb/script.h"
 #include "services/vtb/within_reach.h"
@@ -29,12 +30,17 @@ class DisturbanceModel {
   void Update(double dt, World& world);
   /// The cell asks for this placement. It is done once, unless it fails.
   void AskFor(const std::string& part, const std::string& site);
+  /// The cell asks for one of these; none: it asks for nothing any more. The
+  /// person does one that is possible, and if the question still stands after a
+  /// while, another one.
+  void AskFor(std::vector<HelpRequest> requests);
 
   bool is_idle() const { return hand_.is_idle(); }
   /// Nothing that was planned is still to come, or the next has been tried and
   /// cannot be done as things are.
   bool is_done() const {
-    return is_idle() && (times_.empty() || has_tried_in_vain_);
+    return is_idle() && num_tries_left_ == 0 &&
+           (times_.empty() || has_tried_in_vain_);
   }
 
  private:
@@ -46,13 +52,13 @@ class DisturbanceModel {
   std::vector<PlacementSampler::Placed> SceneIn(const World& world) const;
   std::optional<Eigen::Isometry3d> AtOneOfThePlaces(const std::string& part,
                                                     const World& world);
+  void Help(World& world);
   bool Disturb(const World& world);
   bool PlaceSomething(const World& world);
   bool Place(const Placement& placement, const World& world);
   std::vector<std::string> LooseParts(const World& world) const;
   std::optional<Eigen::Isometry3d> Somewhere(const std::string& part,
                                              const World& world);
-  bool IsReady(const PlacementRule& rule, const World& world) const;
 
   std::shared_ptr<const Demonstrations> demonstrations_;
   const Script* script_;
@@ -64,6 +70,9 @@ class DisturbanceModel {
   double time_ = 0;
   bool has_tried_in_vain_ = false;
   std::optional<Placement> requested_;
+  std::vector<HelpRequest> requests_;
+  int num_tries_left_ = 0;  // to answer them
+  double begin_time_ = 0;   // [s] of the next try
 };
 
 }  // namespace cell::vtb

@@ -66,6 +66,7 @@ PlacementRule RuleFromConfig(const Config& config, const std::string& name,
   PlacementRule rule;
   rule.name = name;
   rule.called = config.GetOr<std::string>("called", "");
+  rule.makes = config.GetOr<std::string>("makes", "");
   rule.part_type = config.Get<std::string>("part");
   rule.site_type = config.Get<std::string>("site");
   if (!AnyIs(table.parts(), rule.part_type, &Part::type)) {

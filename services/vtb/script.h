@@ -19,6 +19,9 @@ struct PlacementRule {
   std::string name;
   /// What the person calls the action, if asked; empty: nothing.
   std::string called;
+  /// The predicate of the task that is true of what is placed so, as far as the
+  /// person knows what the cell means by it; empty: the person does not.
+  std::string makes;
   std::string part_type;
   std::string site_type;
   std::vector<std::string> after;  ///< rules whose parts must be in place

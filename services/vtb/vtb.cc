@@ -200,6 +200,23 @@ CommandAnswer Vtb::StartByCommand(const Request& request) {
                   request.demonstration, request.seed, kTick * next_->tick));
 }
 
+namespace {
+
+/// What is asked for, unless it is a step that is left to the person.
+std::vector<HelpRequest> RequestsOf(const execution_t& message) {
+  std::vector<HelpRequest> requests;
+  if (message.state != execution_t::STUCK || !message.help_part.empty()) {
+    return requests;
+  }
+  for (const literal_t& literal : message.needed) {
+    requests.push_back({literal.predicate, literal.arguments,
+                        literal.value == literal_t::TRUE_});
+  }
+  return requests;
+}
+
+}  // namespace
+
 bool Vtb::OnExecution(const execution_t& message) {
   if (message.state < execution_t::RUNNING ||
       message.state > execution_t::STUCK) {
@@ -208,6 +225,9 @@ bool Vtb::OnExecution(const execution_t& message) {
   episode_.robot_state = message.state;
   if (message.state == execution_t::STUCK && episode_.disturbance) {
     episode_.disturbance->AskFor(message.help_part, message.help_site);
+  }
+  if (episode_.disturbance) {
+    episode_.disturbance->AskFor(RequestsOf(message));
   }
   return true;
 }

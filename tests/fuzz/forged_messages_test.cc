@@ -25,6 +25,7 @@
 #include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
+#include "cell/experience_t.hpp"
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
 #include "cell/library_request_t.hpp"
@@ -118,7 +119,8 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   samples["EXECUTION"] = {Bus::Encode(execution)};
 }
 
-// Requests to the library to keep actions like those that it has.
+// Requests to the library to keep actions like those that it has, and an
+// experience.
 void AskLibrary(std::map<std::string, std::vector<Bytes>>& samples) {
   library_request_t request{};
   request.id = 1;
@@ -130,6 +132,18 @@ void AskLibrary(std::map<std::string, std::vector<Bytes>>& samples) {
     record.name += "Anew";
     samples["STORE_REQUEST"].push_back(Bus::Encode(record));
   }
+  experience_t experience{};
+  experience.action = "Insert";
+  experience.agent = "person";
+  experience.before.resize(1);
+  experience.before[0].predicate = "Clear";
+  experience.before[0].arguments = {"head"};
+  experience.before[0].num_arguments = 1;
+  experience.before[0].value = literal_t::TRUE_;
+  experience.num_before = 1;
+  samples["EXPERIENCE_REQUEST"] = {Bus::Encode(experience)};
+  experience.id = 1;
+  samples["EXPERIENCE"] = {Bus::Encode(experience)};
 }
 
 // What a camera would see: a slope in grey.
@@ -408,7 +422,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
                     "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
                     "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
-                    "LIBRARY_REQUEST", "STORE_REQUEST"),
+                    "LIBRARY_REQUEST", "STORE_REQUEST", "EXPERIENCE",
+                    "EXPERIENCE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 
 // The protocol's own messages, through both ends of it.

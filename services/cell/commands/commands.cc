@@ -12,12 +12,12 @@ namespace cell::cli {
 void AddAllCommands(CLI::App& app, Action* action) {
   app.set_version_flag("--version", "cell " CELL_VERSION);
   for (const auto add :
-       {AddDemo,   AddSim,     AddList,    AddReplay,  AddDiff, AddEval,
-        AddView,   AddChain,   AddExplain, AddCheck,   AddUp,   AddDown,
-        AddStatus, AddTop,     AddDoctor,  AddEpisode, AddHold, AddResume,
-        AddGoal,   AddPrepare, AddLibrary, AddRules,   AddPlan, AddMonitor,
-        AddRecord, AddLog,     AddSpy,     AddTypes,   AddSec,  AddLearn,
-        AddName}) {
+       {AddDemo,    AddSim,     AddList,    AddReplay,  AddDiff,  AddEval,
+        AddView,    AddChain,   AddExplain, AddCheck,   AddUp,    AddDown,
+        AddStatus,  AddTop,     AddDoctor,  AddEpisode, AddHold,  AddResume,
+        AddGoal,    AddConfirm, AddPrepare, AddLibrary, AddRules, AddPlan,
+        AddMonitor, AddRecord,  AddLog,     AddSpy,     AddTypes, AddSec,
+        AddLearn,   AddName}) {
     add(app, action);
   }
 }

@@ -33,6 +33,7 @@ void AddChain(CLI::App& app, Action* action);
 void AddEpisode(CLI::App& app, Action* action);
 void AddHold(CLI::App& app, Action* action);
 void AddResume(CLI::App& app, Action* action);
+void AddConfirm(CLI::App& app, Action* action);
 void AddGoal(CLI::App& app, Action* action);
 void AddPrepare(CLI::App& app, Action* action);
 void AddUp(CLI::App& app, Action* action);

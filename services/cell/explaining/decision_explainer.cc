@@ -55,30 +55,64 @@ Reasons WhyBestAction(const DecisionBasis& basis, const GroundAction& action,
   return reasons;
 }
 
-Reasons WhyAction(const DecisionBasis& basis, const GroundAction& action,
-                  const State& state, bool is_verbose) {
-  const auto place = PlaceOf(action, basis.plan);
-  if (place == 0) return WhyBestAction(basis, action, is_verbose);
-  const RuleSet& rules = *basis.problem.rules;
+/// True if it is tried because its rule was learned from little.
+bool IsExploring(const DecisionBasis& basis, const GroundAction& action) {
+  return basis.exploration &&
+         planner::LeastTried(*basis.problem.rules, basis.state,
+                             basis.not_to_begin,
+                             basis.exploration->known_count) == action;
+}
+
+Reasons WhyTried(const DecisionBasis& basis, const GroundAction& action) {
+  Reasons reasons = {fmt::format(
+      "the cell learns, and knows little of it: a rule is known that was "
+      "learned from {} experiences",
+      basis.exploration->known_count)};
+  Append(CoveringRules(basis.problem, action, basis.state), &reasons);
+  return reasons;
+}
+
+Reasons WhyBeforeItsTurn(const DecisionBasis& basis, const GroundAction& action,
+                         const State& state, size_t place) {
+  Reasons reasons = {
+      fmt::format("it hands over beforehand what step {} of the plan is for, "
+                  "while the other arm works: it is possible now, and changes "
+                  "nothing that the other needs",
+                  place + 1)};
+  Append(CoveringRules(basis.problem, action, state), &reasons);
+  reasons.push_back("the plan: " + PlanText(basis.plan, *basis.problem.rules));
+  return reasons;
+}
+
+/// It was chosen although there is no plan.
+Reasons WhyMeanwhile(const DecisionBasis& basis, const GroundAction& action,
+                     const State& state, bool is_verbose) {
   Reasons reasons;
-  if (place) {
-    reasons.push_back(fmt::format(
-        "it hands over beforehand what step {} of the plan is for, while the "
-        "other arm works: it is possible now, and changes nothing that the "
-        "other needs",
-        *place + 1));
+  const Reasons rules = CoveringRules(basis.problem, action, state);
+  if (rules.empty()) {
+    reasons.emplace_back(
+        "no plan is known: a rule without the conditions that fail is tried, "
+        "since no experience speaks against it");
+    Append(NearestRule(basis.problem, action, state.UnknownAsFalse()),
+           &reasons);
   } else {
     reasons.emplace_back(
-        "it does not depend on what a person is needed for, and is done "
-        "meanwhile");
+        "it brings some of the goal about without depending on what a person "
+        "is needed for, and is done meanwhile");
+    Append(rules, &reasons);
   }
-  Append(CoveringRules(basis.problem, action, state), &reasons);
-  if (place) {
-    reasons.push_back("the plan: " + PlanText(basis.plan, rules));
-  } else {
-    Append(ExcuseReasons(basis, basis.state, basis.plan), &reasons);
-  }
+  Append(NoPlanReasons(basis, basis.state, basis.plan), &reasons);
+  if (is_verbose) Append(AlternativeReasons(basis, action, true), &reasons);
   return reasons;
+}
+
+Reasons WhyAction(const DecisionBasis& basis, const GroundAction& action,
+                  const State& state, bool is_verbose) {
+  if (IsExploring(basis, action)) return WhyTried(basis, action);
+  const auto place = PlaceOf(action, basis.plan);
+  if (place == 0) return WhyBestAction(basis, action, is_verbose);
+  return place ? WhyBeforeItsTurn(basis, action, state, *place)
+               : WhyMeanwhile(basis, action, state, is_verbose);
 }
 
 std::string ShowRequest(const SkillRequest& request,
@@ -204,9 +238,9 @@ Explanation DecisionExplainer::ExplainPlan(const Observed& observed) const {
           basis.problem.agent == Agent::kPerson ? "the person" : "the robot",
           of_state.key_frame, PlanText(plan, *basis.problem.rules)),
       {}};
-  if (plan.result == Plan::Result::kNoPlan) {
+  if (HasNoPlan(plan)) {
     explanation.reasons = FailureReasons(basis);
-    Append(ExcuseReasons(basis, basis.state, plan), &explanation.reasons);
+    Append(NoPlanReasons(basis, basis.state, plan), &explanation.reasons);
   } else if (!plan.steps.empty()) {
     explanation.reasons =
         WhyBestAction(basis, plan.steps[0].action, is_verbose_);

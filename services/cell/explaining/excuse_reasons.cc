@@ -59,6 +59,18 @@ void AddUnknown(const DecisionBasis& basis, Reasons* lines) {
   lines->push_back(fmt::format("unknown are: {}", fmt::join(names, ", ")));
 }
 
+Reasons NotLearnedReasons(const DecisionBasis& basis, const Plan& plan) {
+  Reasons lines = {fmt::format("no plan leads to the goal '{}': {}",
+                               basis.problem.goal.name, plan.reason)};
+  for (const Literal& literal : plan.unlearned) {
+    lines.push_back(fmt::format(
+        "no rule (version {}) has an outcome with {}: nobody has shown it",
+        basis.problem.rules->version(),
+        Show(literal, {}, basis.problem.rules->vocabulary())));
+  }
+  return lines;
+}
+
 void AddFirstStep(const DecisionBasis& basis, bool is_verbose, Reasons* lines) {
   if (basis.plan.steps.empty()) return;
   const GroundAction& first = basis.plan.steps[0].action;
@@ -81,8 +93,16 @@ std::string PlanText(const Plan& plan, const RuleSet& rules) {
                      fmt::join(steps, ", "));
 }
 
-Reasons ExcuseReasons(const DecisionBasis& basis, const State& state,
+bool HasNoPlan(const Plan& plan) {
+  return plan.result == Plan::Result::kNoPlan ||
+         plan.result == Plan::Result::kNotLearned;
+}
+
+Reasons NoPlanReasons(const DecisionBasis& basis, const State& state,
                       const Plan& no_plan) {
+  if (no_plan.result == Plan::Result::kNotLearned) {
+    return NotLearnedReasons(basis, no_plan);
+  }
   Reasons lines = {fmt::format("no plan leads to the goal '{}': {}",
                                basis.problem.goal.name, no_plan.reason)};
   for (const RequiredChange& change : no_plan.needed) {
@@ -104,9 +124,9 @@ Reasons QuestionReasons(const DecisionBasis& basis,
   if (question.step) {
     AddFirstStep(basis, is_verbose, &lines);
     lines.emplace_back("this step is left to a person (help_steps)");
-  } else if (basis.plan.result == Plan::Result::kNoPlan) {
+  } else if (HasNoPlan(basis.plan)) {
     AddWithoutFailures(basis, &lines);
-    Append(ExcuseReasons(basis, basis.state, basis.plan), &lines);
+    Append(NoPlanReasons(basis, basis.state, basis.plan), &lines);
   } else {
     AddFirstStep(basis, is_verbose, &lines);
     AddUnknown(basis, &lines);

@@ -8,9 +8,13 @@
 
 namespace cell::cli {
 
-/// Why `no_plan` of the state is none: the excuse (section VI-B1), the rules
-/// whose preconditions are missing, and the plan that there would be.
-Reasons ExcuseReasons(const planner::DecisionBasis& basis, const State& state,
+/// True if no plan leads to the goal, or nobody has shown how.
+bool HasNoPlan(const planner::Plan& plan);
+
+/// Why `no_plan` of the state is none: what nobody has shown; or else the
+/// excuse (section VI-B1), the rules whose preconditions are missing, and the
+/// plan that there would be.
+Reasons NoPlanReasons(const planner::DecisionBasis& basis, const State& state,
                       const planner::Plan& no_plan);
 
 /// The question that the robot asks.

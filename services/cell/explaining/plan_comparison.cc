@@ -138,8 +138,8 @@ Reasons ComparePlans(const DecisionBasis& basis, const Judgement& judgement) {
                                 *judgement.expected_actions_before));
   }
   const Plan after = solver->Find(judgement.after);
-  if (after.result == Plan::Result::kNoPlan) {
-    Append(ExcuseReasons(basis, judgement.after, after), &lines);
+  if (HasNoPlan(after)) {
+    Append(NoPlanReasons(basis, judgement.after, after), &lines);
     return lines;
   }
   lines.push_back("after it: " + PlanText(after, *problem.rules));

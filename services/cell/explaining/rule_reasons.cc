@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "common/relational/rule_text.h"
+#include "common/text/counted.h"
 
 namespace cell::cli {
 namespace {
@@ -28,6 +29,24 @@ void AddRule(const Problem& problem, const GroundAction& action,
   }
 }
 
+void AddGap(const RuleSet& rules, const GroundAction& action,
+            const RuleGap& gap, Reasons* lines) {
+  lines->push_back(fmt::format("  of which it lacks: {}",
+                               fmt::join(ShowGap(rules, action, gap), ", ")));
+}
+
+/// "version 3, learned from 2 experiences".
+std::string OriginOf(const RuleSet& rules, const GroundAction& action,
+                     const RuleGap& gap) {
+  const NdrRule& rule =
+      rules.ActionOf(action).rules.at(static_cast<size_t>(gap.rule));
+  std::string text = fmt::format("version {}", rules.version());
+  if (rule.num_experiences > 0) {
+    text += ", learned from " + Counted(rule.num_experiences, "experience");
+  }
+  return text;
+}
+
 /// True if the change would make a literal of the context hold that does not.
 bool IsFilledBy(const RuleGap& gap, const planner::RequiredChange& change,
                 const Vocabulary& vocabulary) {
@@ -46,9 +65,10 @@ Reasons CoveringRules(const Problem& problem, const GroundAction& action,
   for (const RuleGap& gap :
        GapsOf(*problem.rules, action, state, problem.agent)) {
     if (!gap.is_covered()) continue;
-    lines.push_back(lines.empty() ? fmt::format("by this rule (version {}):",
-                                                problem.rules->version())
-                                  : "or by this one, as something is unknown:");
+    lines.push_back(fmt::format(
+        "{} ({}):",
+        lines.empty() ? "by this rule" : "or, as something is unknown, by this",
+        OriginOf(*problem.rules, action, gap)));
     AddRule(problem, action, gap, &lines);
   }
   return lines;
@@ -65,12 +85,23 @@ Reasons RuleThatNeeds(const Problem& problem, const GroundAction& action,
   }
   if (!nearest) return {};
   Reasons lines = {fmt::format(
-      "{} has this precondition in this rule (version {}):", rules.Show(action),
-      rules.version())};
+      "{} has this precondition in this rule ({}):", rules.Show(action),
+      OriginOf(rules, action, *nearest))};
   AddRule(problem, action, *nearest, &lines);
-  const auto lacks = ShowGap(rules, action, *nearest);
-  lines.push_back(
-      fmt::format("  of which it lacks: {}", fmt::join(lacks, ", ")));
+  AddGap(rules, action, *nearest, &lines);
+  return lines;
+}
+
+Reasons NearestRule(const Problem& problem, const GroundAction& action,
+                    const State& state) {
+  const RuleSet& rules = *problem.rules;
+  const auto gaps = GapsOf(rules, action, state, problem.agent);
+  const auto nearest = std::ranges::min_element(gaps, {}, SizeOf);
+  if (nearest == gaps.end()) return {};
+  Reasons lines = {
+      fmt::format("its rule ({}):", OriginOf(rules, action, *nearest))};
+  AddRule(problem, action, *nearest, &lines);
+  AddGap(rules, action, *nearest, &lines);
   return lines;
 }
 

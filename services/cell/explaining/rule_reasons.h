@@ -20,6 +20,11 @@ Reasons RuleThatNeeds(const planner::Problem& problem,
                       const GroundAction& action, const State& state,
                       const planner::RequiredChange& change);
 
+/// The rule that lacks least to cover the action in the state; empty if it has
+/// none.
+Reasons NearestRule(const planner::Problem& problem, const GroundAction& action,
+                    const State& state);
+
 /// "needs not On(_, a)": why the action changes nothing in the state.
 std::string WhyNotPossible(const planner::Problem& problem,
                            const GroundAction& action, const State& state);

@@ -34,7 +34,7 @@ Recording Teach(const Deployment& source, const std::string& script,
       source.OfTask("demonstrators.yaml"), task.parts);
   const Speaker speaker(demonstrations, task.parts);
   const RunFolder run = RunFolder::Create("", "learn", source, script, seed);
-  run.LearnFromNothing();
+  run.ForgetEventChains();
   {
     SimBus bus(run.roster, AllServices(run.deployment, script, seed));
     const auto& stop = StopOnSignals();

@@ -11,6 +11,7 @@
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
 #include "cell/attempt_t.hpp"
+#include "cell/command_confirm_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -19,6 +20,7 @@
 #include "cell/command_name_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
+#include "cell/experience_t.hpp"
 #include "cell/health_t.hpp"
 #include "cell/hello_t.hpp"
 #include "cell/key_frame_t.hpp"
@@ -37,7 +39,7 @@
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/step_t.hpp"
-#include "cell/stored_t.hpp"
+#include "cell/store_answer_t.hpp"
 #include "cell/tick_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/truth_action_t.hpp"
@@ -71,12 +73,15 @@ const std::map<std::string, ChannelType>& Table() {
       {"ATTEMPT", Of<attempt_t>()},
       {"COMMAND_EPISODE", Of<command_episode_t>()},
       {"COMMAND_FAULT", Of<command_fault_t>()},
+      {"COMMAND_CONFIRM", Of<command_confirm_t>()},
       {"COMMAND_GOAL", Of<command_goal_t>()},
       {"COMMAND_LIBRARY", Of<command_library_t>()},
       {"COMMAND_MODE", Of<command_mode_t>()},
       {"COMMAND_NAME", Of<command_name_t>()},
       {"EPISODE", Of<episode_t>()},
       {"EXECUTION", Of<execution_t>()},
+      {"EXPERIENCE", Of<experience_t>()},
+      {"EXPERIENCE_REQUEST", Of<experience_t>()},
       {"FRAME_1", Of<rgbd_frame_t>()},
       {"FRAME_2", Of<rgbd_frame_t>()},
       {"FRAME_3", Of<rgbd_frame_t>()},
@@ -96,7 +101,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"SKILL_RESULT", Of<skill_result_t>()},
       {"STATUS", Of<status_t>()},
       {"STEP", Of<step_t>()},
-      {"STORED", Of<stored_t>()},
+      {"STORED", Of<store_answer_t>()},
       {"STORE_REQUEST", Of<action_record_t>()},
       {"TICK", Of<tick_t>()},
       {"TRACKS", Of<tracks_t>()},

@@ -64,7 +64,8 @@ std::string StepsOf(const std::vector<plan_step_t>& steps) {
 /// The next step, or why there is none.
 std::string SummaryOf(const plan_t& plan) {
   if (plan.result == plan_t::GOAL_REACHED) return "the goal is reached";
-  if (plan.result == plan_t::UNDECIDED) {
+  if (plan.result == plan_t::UNDECIDED ||
+      plan.result == plan_t::NOT_LEARNED) {
     return "no plan yet: " + plan.reason;
   }
   if (plan.result != plan_t::FOUND || plan.steps.empty()) {

@@ -8,6 +8,7 @@
 #include "common/actions/sec_models.h"
 #include "common/files/draft.h"
 #include "common/recordings/recording_file.h"
+#include "common/task/learned_rules.h"
 #include "services/library/open_store.h"
 #include "services/library/sqlite_action_store.h"
 
@@ -62,6 +63,26 @@ void Claim(const fs::path& run) {
     throw std::runtime_error(run.string() +
                              ": exists and is not empty; choose another --out");
   }
+}
+
+/// Leaves the actions of the task's domain that have rules by hand, and takes
+/// away what was learned of the others.
+void ForgetActions(const fs::path& task_dir) {
+  const fs::path file = task_dir / "domain.yaml";
+  YAML::Node domain = YAML::LoadFile(file.string());
+  std::vector<std::string> unknown;
+  for (const auto& entry : domain["actions"]) {
+    if (!entry.second["rules"])
+      unknown.push_back(entry.first.as<std::string>());
+  }
+  for (const std::string& name : unknown) {
+    domain["actions"].remove(name);
+    if (domain["requests"] && domain["requests"]["do"]) {
+      domain["requests"]["do"].remove(name);
+    }
+  }
+  domain.remove(kLearnedRulesKey);
+  WriteFile(file, YAML::Dump(domain) + "\n");
 }
 
 }  // namespace
@@ -175,9 +196,19 @@ void RunFolder::UseLibrary(const fs::path& file) {
   AskFor(demonstration, seed);
 }
 
-void RunFolder::LearnFromNothing() const {
+void RunFolder::ForgetEventChains() const {
   SetLearning(true);
   WriteFile(deployment.task_dir / kSecModelsFile, "models: {}\n");
+}
+
+void RunFolder::LearnFromNothing() const {
+  ForgetEventChains();
+  ForgetActions(deployment.task_dir);
+  const fs::path file = deployment.config_dir / "planner.yaml";
+  YAML::Node planner = YAML::LoadFile(file.string());
+  planner["learning"] = true;
+  planner["exploration"]["confirmation"] = false;
+  WriteFile(file, YAML::Dump(planner) + "\n");
 }
 
 void RunFolder::Stopped() const {

@@ -38,7 +38,11 @@ struct RunFolder {
   void EnableServices(const std::string& option);
   /// The planner of this run asks a person for these actions.
   void LeaveToPerson(const std::vector<std::string>& actions) const;
-  /// The recognizer of this run knows no action at first, and learns.
+  /// The recognizer of this run has no event chain at first, and learns them.
+  void ForgetEventChains() const;
+  /// The cell of this run knows no action but those of which the task says by
+  /// hand what they do, the arms' own skills: it learns how actions look and
+  /// what they need and do. Arms may do what was learned without an operator.
   void LearnFromNothing() const;
   /// What is shown in this run changes what the recognizer knows, or does not.
   void SetLearning(bool is_learning) const;

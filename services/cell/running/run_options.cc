@@ -25,8 +25,10 @@ void RunOptions::AddTo(CLI::App& command) {
       ->delimiter(',');
   command.add_flag("--cameras", has_cameras,
                    "run the camera sets and log their frames");
-  command.add_flag("--from-nothing", is_from_nothing,
-                   "recognise no action at first, and learn what is shown");
+  command.add_flag(
+      "--from-nothing", is_from_nothing,
+      "know no action at first but the arms' own skills, and learn how they "
+      "look and what they do from what is shown and tried");
   CLI::Option* learn = command.add_flag(
       "--learn", learns, "learn from what is shown (default: recognizer.yaml)");
   command.add_flag("--no-learn", does_not_learn, "learn nothing")

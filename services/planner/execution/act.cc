@@ -50,11 +50,18 @@ NextState Act::Step(ExecutionContext& context, Instant now, Decisions& out) {
   if (context.dialogue.IsPersonAtWork(state, now)) {
     return std::make_unique<AwaitPerson>();
   }
+  if (now.utime < context.lesson_utime) return nullptr;
   context.dispatch.failures().Update(state);
   const Plan& plan =
       context.plan.Find(state, context.dispatch.failures().Blocked());
   if (auto changed = context.plan.TakeIfNew(*context.sensing.Fresh())) {
     out.plan = std::move(changed);
+  }
+  if (context.params.exploration && plan.result != Plan::Result::kGoalReached) {
+    const auto action =
+        LeastTried(context.plan.rules(), state, context.NotToBegin(),
+                   context.params.exploration->known_count);
+    if (action) return BeginAction(context, *action, state, now, out);
   }
   switch (plan.result) {
     case Plan::Result::kFound:
@@ -71,8 +78,7 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
                      Decisions& out) {
   const RuleSet& rules = context.plan.rules();
   const GroundAction& action = context.plan.get().steps.at(0).action;
-  const auto request = context.RequestToArm(action);
-  if (!request) {
+  if (!context.RequestToArm(action)) {
     return std::make_unique<Ask>(
         state, ExecutionStatus{
                    .state = ExecutionStatus::State::kStuck,
@@ -82,8 +88,20 @@ NextState Act::Begin(ExecutionContext& context, const State& state, Instant now,
   if (!IsSurelyPossible(rules, action, state)) {
     return std::make_unique<Undecided>(state);
   }
-  if (!context.dispatch.IsFree(request->arm)) return nullptr;
-  context.dispatch.Start(*request, action, state, now, out);
+  return BeginAction(context, action, state, now, out);
+}
+
+/// An operator has to let arms do what is new to them.
+NextState Act::BeginAction(ExecutionContext& context,
+                           const GroundAction& action, const State& state,
+                           Instant now, Decisions& out) {
+  const auto request = context.RequestToArm(action);
+  if (!request || !context.dispatch.IsFree(request->arm)) return nullptr;
+  if (context.AwaitsConfirmation(action)) {
+    return std::make_unique<Ask>(
+        state, AskForConfirmation(action, context.plan.rules()));
+  }
+  context.Start(*request, action, state, now, out);
   HandOver(context, state, now, out);
   return nullptr;
 }
@@ -97,7 +115,7 @@ void Act::HandOver(ExecutionContext& context, const State& state, Instant now,
     if (!request || !MayHandOver(step.action, *request, context, state)) {
       continue;
     }
-    context.dispatch.Start(*request, step.action, state, now, out);
+    context.Start(*request, step.action, state, now, out);
   }
 }
 

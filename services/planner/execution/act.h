@@ -12,6 +12,12 @@ class Act final : public ExecutionState {
   NextState Step(ExecutionContext& context, Instant now,
                  Decisions& out) override;
 
+  /// What comes after asking for the action, which must be possible now, if the
+  /// arm is free and may do it; nullptr: Act.
+  static NextState BeginAction(ExecutionContext& context,
+                               const GroundAction& action, const State& state,
+                               Instant now, Decisions& out);
+
  private:
   /// Of a plan to the goal.
   static NextState Begin(ExecutionContext& context, const State& state,

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "common/relational/request_words.h"
 #include "services/planner/current_plan.h"
 #include "services/planner/dialogue.h"
+#include "services/planner/exploration.h"
 #include "services/planner/sensing.h"
 #include "services/planner/skill_dispatch.h"
 
@@ -22,6 +26,10 @@ struct ExecutionParams {
   /// Steps that are left to a person: the cell asks for them.
   std::set<GroundAction> help_steps = {};
   RequestWords requests = {};  ///< how the person is asked
+  /// If the cell learns: how it explores.
+  std::optional<Exploration> exploration = {};
+  /// [us] for an experience to become a rule, before anything else is done.
+  int64_t lesson_us = 400'000;
 };
 
 /// What the states of an execution work with.
@@ -32,7 +40,17 @@ struct ExecutionContext {
   Sensing sensing;
   Dialogue dialogue;
   bool may_act = false;  ///< the cell's mode lets arms begin something
+  /// Trials whose result has not been sensed yet.
+  std::vector<TaskExperience> trials = {};
+  /// [us] Until then the last experience may still become a rule.
+  int64_t lesson_utime = 0;
 
+  /// Actions that the robot is not to begin now.
+  std::set<GroundAction> NotToBegin() const {
+    std::set<GroundAction> blocked = dispatch.failures().Blocked();
+    blocked.insert(params.help_steps.begin(), params.help_steps.end());
+    return blocked;
+  }
   /// True if arms may begin something. First it asks arms with an interrupted
   /// skill to go free.
   bool MayBegin(Instant now, Decisions& out) {
@@ -45,6 +63,24 @@ struct ExecutionContext {
   std::optional<SkillRequest> RequestToArm(const GroundAction& action) const {
     if (params.help_steps.contains(action)) return std::nullopt;
     return RequestFor(action, plan.rules());
+  }
+
+  /// True of an action that was learned and that no arm has done yet.
+  bool IsNew(const GroundAction& action) const {
+    return params.exploration && IsNewToArms(plan.rules().ActionOf(action),
+                                             *params.exploration->experiences);
+  }
+  /// True of one that an operator has to let arms do.
+  bool AwaitsConfirmation(const GroundAction& action) const {
+    return IsNew(action) && params.exploration->needs_confirmation &&
+           !params.exploration->confirmed.contains(
+               plan.rules().ActionOf(action).name);
+  }
+  /// Asks the arm, which must be free.
+  void Start(SkillRequest request, const GroundAction& action,
+             const State& state, Instant now, Decisions& out) {
+    request.is_careful = IsNew(action);
+    dispatch.Start(std::move(request), action, state, now, out);
   }
 
   /// What was sensed and what arms report. @pre the sensed state is fresh.

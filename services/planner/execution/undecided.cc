@@ -1,6 +1,7 @@
 #include "services/planner/execution/undecided.h"
 
 #include <set>
+#include <utility>
 
 #include "services/planner/execution/act.h"
 #include "services/planner/execution/ask.h"
@@ -15,6 +16,10 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
                               const State& state) {
   const Plan& plan = context.plan.get();
   const RequestWords& requests = context.params.requests;
+  if (plan.result == Plan::Result::kNotLearned) {
+    return AskForDemonstration(plan, context.plan.rules().vocabulary(),
+                               requests);
+  }
   if (plan.result == Plan::Result::kNoPlan) {
     return AskForHelp(context.plan, state, context.dispatch.failures(),
                       requests);
@@ -26,22 +31,31 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
                       : plan.reason};
 }
 
-/// Does what does not depend on a person's help. False if there is nothing.
-bool BeginMeanwhile(ExecutionContext& context, const State& state, Instant now,
-                    Decisions& out) {
-  if (context.plan.get().result != Plan::Result::kNoPlan ||
-      !context.dispatch.running().empty()) {
-    return false;
+/// What does not depend on a person's help, or is worth a try.
+std::optional<GroundAction> ChooseMeanwhile(const ExecutionContext& context,
+                                            const State& state) {
+  const Plan::Result result = context.plan.get().result;
+  const bool has_no_plan = result == Plan::Result::kNoPlan;
+  if (!has_no_plan && result != Plan::Result::kNotLearned) return std::nullopt;
+  const std::set<GroundAction> blocked = context.NotToBegin();
+  std::optional<GroundAction> action;
+  if (has_no_plan) action = StepMeanwhile(context.plan, state, blocked);
+  if (!action && context.params.exploration) {
+    action = StepWithoutPlan(context.plan, state, blocked,
+                             *context.params.exploration);
   }
-  std::set<GroundAction> blocked = context.dispatch.failures().Blocked();
-  blocked.insert(context.params.help_steps.begin(),
-                 context.params.help_steps.end());
-  const auto action = StepMeanwhile(context.plan, state, blocked);
-  if (!action) return false;
-  const auto request = context.RequestToArm(*action);
-  if (!request || !context.dispatch.IsFree(request->arm)) return false;
-  context.dispatch.Start(*request, *action, state, now, out);
-  return true;
+  return action;
+}
+
+/// The state that follows; nullptr if there is nothing to do.
+NextState BeginMeanwhile(ExecutionContext& context, const State& state,
+                         Instant now, Decisions& out) {
+  if (!context.dispatch.running().empty()) return nullptr;
+  const auto action = ChooseMeanwhile(context, state);
+  const auto request = action ? context.RequestToArm(*action) : std::nullopt;
+  if (!request || !context.dispatch.IsFree(request->arm)) return nullptr;
+  NextState next = Act::BeginAction(context, *action, state, now, out);
+  return next ? std::move(next) : std::make_unique<Act>();
 }
 
 }  // namespace
@@ -52,9 +66,7 @@ NextState Undecided::Step(ExecutionContext& context, Instant now,
     return next;
   }
   if (!context.dialogue.IsPatient(now)) {
-    if (BeginMeanwhile(context, state_, now, out)) {
-      return std::make_unique<Act>();
-    }
+    if (NextState next = BeginMeanwhile(context, state_, now, out)) return next;
     return std::make_unique<Ask>(state_, QuestionAbout(context, state_));
   }
   context.sensing.Ask(now, context.params.sense_period_us, out);

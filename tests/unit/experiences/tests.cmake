@@ -8,3 +8,5 @@ cell_add_test(unit/experiences/rule_conversion_test.cc
   LINK cell_experiences cell_planner cell_task)
 cell_add_test(unit/experiences/rule_lessons_test.cc
   LINK cell_experiences cell_planner cell_task)
+cell_add_test(unit/experiences/task_experience_test.cc
+  LINK cell_experiences cell_planner cell_task)

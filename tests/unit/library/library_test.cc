@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cell/answer_t.hpp"
-#include "cell/stored_t.hpp"
+#include "cell/store_answer_t.hpp"
 #include "common/actions/action_model_writer.h"
 #include "common/bus/manifest.h"
 #include "common/bus/replay.h"
@@ -44,7 +44,7 @@ M DecodedAs(const Message& message) {
 
 /// What the library said in a run.
 struct Said {
-  std::vector<stored_t> stored;
+  std::vector<store_answer_t> stored;
   std::vector<action_record_t> records;
   std::vector<int64_t> digests;  // of the ticks
 };
@@ -58,7 +58,7 @@ Said RunCell(const Deployment& deployment,
     said.digests.push_back(TickMessage(bus.last_tick()).digest);
     for (const Message& message : bus.last_messages()) {
       if (message.channel == "STORED") {
-        said.stored.push_back(DecodedAs<stored_t>(message));
+        said.stored.push_back(DecodedAs<store_answer_t>(message));
       } else if (message.channel == "ACTION_RECORD") {
         said.records.push_back(DecodedAs<action_record_t>(message));
       }
@@ -90,7 +90,7 @@ TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
   const Said said = RunCell(ShippedDeployment());
   int64_t next_id = kNumOfTask + 1;
   int num_refused = 0;
-  for (const stored_t& answer : said.stored) {
+  for (const store_answer_t& answer : said.stored) {
     const int32_t asked = answer.header.tick - 1;
     EXPECT_EQ(answer.request_sender, 1);
     EXPECT_EQ(answer.request_seq, asked - 5);
@@ -98,17 +98,17 @@ TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
     const auto published = NamesPublishedIn(said, answer.header.tick);
     const std::string name = keeping::RequestOf(asked).name;
     if (asked % 10 == 3 && asked > 10) {
-      EXPECT_EQ(answer.outcome, stored_t::DUPLICATE);
+      EXPECT_EQ(answer.outcome, store_answer_t::DUPLICATE);
       EXPECT_EQ(answer.id, next_id - 1);
       EXPECT_THAT(answer.reason, HasSubstr("already exists, with id"));
       ++num_refused;
     } else if (asked % 10 == 7) {
-      EXPECT_EQ(answer.outcome, stored_t::INVALID);
+      EXPECT_EQ(answer.outcome, store_answer_t::INVALID);
       EXPECT_EQ(answer.id, 0);
       EXPECT_THAT(answer.reason, HasSubstr(name + ":rules[0]"));
       ++num_refused;
     } else {
-      EXPECT_EQ(answer.outcome, stored_t::STORED) << answer.reason;
+      EXPECT_EQ(answer.outcome, store_answer_t::STORED) << answer.reason;
       EXPECT_EQ(answer.id, next_id++);
       EXPECT_THAT(published, testing::Contains(name));
       EXPECT_EQ(answer.reason, "");
@@ -132,11 +132,11 @@ TEST(LibraryService, HasAfterADeathExactlyWhatItStoredBefore) {
        WriteActionModels(ShippedTask().actions, ShippedTask().domain)) {
     expected.push_back(record.name);
   }
-  for (const stored_t& answer : said.stored) {
+  for (const store_answer_t& answer : said.stored) {
     const int32_t k = answer.header.tick;
     if (k > 2 * keeping::kRequestPeriod + 1) break;
     EXPECT_TRUE(k < 50 || k > 61) << k;
-    if (answer.outcome != stored_t::STORED) continue;
+    if (answer.outcome != store_answer_t::STORED) continue;
     expected.push_back(keeping::RequestOf(k - 1).name);
   }
   // LIBRARY_REQUEST is handled before the tick's STORE_REQUEST.
@@ -249,7 +249,7 @@ TEST(LibraryService, ReplacesAnActionByItsNextVersion) {
   next.version = 2;
   const auto said = library.Store(next);
   ASSERT_EQ(said.size(), 2u);
-  EXPECT_EQ(DecodedAs<stored_t>(said[0]).outcome, stored_t::STORED);
+  EXPECT_EQ(DecodedAs<store_answer_t>(said[0]).outcome, store_answer_t::STORED);
   const auto record = DecodedAs<action_record_t>(said[1]);
   EXPECT_EQ(record.version, 2);
   EXPECT_EQ(record.id, 3);

@@ -27,6 +27,7 @@ class CountingSolver final : public Solver {
     plan.steps.resize(problem_.blocked.size());
     return plan;
   }
+  Plan FindWithoutReason(const State& state) override { return Find(state); }
 
  private:
   Problem problem_;

@@ -132,7 +132,7 @@ TEST_F(Deciding, ANewRuleSetGivesAWatchedPersonANewPlanAtOnce) {
   const auto answer = maker_.ReplaceRules(WithoutClosing(2).rules);
   ASSERT_TRUE(answer) << answer.reason();
   ASSERT_TRUE(answer->plan.has_value());
-  EXPECT_EQ(answer->plan->plan.result, Plan::Result::kNoPlan);
+  EXPECT_EQ(answer->plan->plan.result, Plan::Result::kNotLearned);
   EXPECT_EQ(answer->plan->key_frame, key_frame_);
   EXPECT_EQ(maker_.rules().version(), 2);
 }

@@ -1,0 +1,52 @@
+#include "services/planner/knowledge.h"
+
+#include <utility>
+
+#include "common/actions/action_model_reader.h"
+#include "common/experiences/learned_actions.h"
+#include "common/task/task_actions.h"
+
+namespace cell::planner {
+
+Knowledge::Knowledge(Domain domain, bool is_learning)
+    : domain_(std::move(domain)),
+      is_learning_(is_learning),
+      experiences_(std::make_shared<const Experiences>()) {}
+
+void Knowledge::Put(const ActionRecord& record) {
+  if (!domain_.Put(ReadAction(record, domain_))) return;
+  source_ = record.name;
+  has_changed_ = true;
+}
+
+void Knowledge::Add(int64_t id, const TaskExperience& experience) {
+  if (!is_learning_ || !by_id_.emplace(id, experience).second) return;
+  source_ = experience.action;
+  has_changed_ = true;
+}
+
+std::shared_ptr<const RuleSet> Knowledge::TakeChange(int64_t version) {
+  if (!std::exchange(has_changed_, false)) return nullptr;
+  if (by_id_.empty()) return RuleSet::FromDomain(domain_, source_, version);
+  Experiences all;
+  for (const auto& [id, experience] : by_id_) all.push_back(experience);
+  experiences_ = std::make_shared<const Experiences>(std::move(all));
+  return RuleSet::FromDomain(WithLearnedRules(), source_, version);
+}
+
+Domain Knowledge::WithLearnedRules() {
+  Domain domain = domain_;
+  const auto actions =
+      LearnActions(*experiences_, domain.actions(), domain.goals(),
+                   std::make_shared<const Vocabulary>(domain.vocabulary()));
+  why_not_.reset();
+  if (!actions) {
+    why_not_ = actions.reason();
+    return domain;
+  }
+  for (const Action& action : *actions) domain.Put(action);
+  CompleteActions({}, &domain);
+  return domain;
+}
+
+}  // namespace cell::planner

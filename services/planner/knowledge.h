@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/actions/action_record.h"
+#include "common/experiences/task_experience.h"
+#include "common/relational/domain.h"
+#include "common/relational/rule_set.h"
+
+namespace cell::planner {
+
+/// What the planner knows of actions: those of the task and of the library, and
+/// if it learns, the rules that experiences give them (section V-C).
+class Knowledge {
+ public:
+  Knowledge(Domain domain, bool is_learning);
+
+  const Domain& domain() const { return domain_; }
+  bool is_learning() const { return is_learning_; }
+
+  /// The library's record of an action. @throws ConfigError for names that the
+  /// task does not have.
+  void Put(const ActionRecord& record);
+  /// An experience that the library keeps; one with a known id counts once.
+  /// Only if it learns.
+  void Add(int64_t id, const TaskExperience& experience);
+
+  /// If something has changed since the last call: all of it, as a rule set of
+  /// this version; nullptr otherwise. Rules that the task has no words for are
+  /// left out; why_not() says so.
+  std::shared_ptr<const RuleSet> TakeChange(int64_t version);
+  const std::optional<std::string>& why_not() const { return why_not_; }
+
+  using Experiences = std::vector<TaskExperience>;
+  /// All that have been learned from, by id.
+  std::shared_ptr<const Experiences> experiences() const {
+    return experiences_;
+  }
+
+ private:
+  Domain WithLearnedRules();
+
+  Domain domain_;  // with the actions of the library
+  bool is_learning_;
+  std::map<int64_t, TaskExperience> by_id_;
+  std::shared_ptr<const Experiences> experiences_;
+  std::string source_ = "domain.yaml";  // of the last change
+  bool has_changed_ = false;
+  std::optional<std::string> why_not_;
+};
+
+}  // namespace cell::planner
