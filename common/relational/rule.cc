@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/relational/reference_binding.h"
+
 namespace cell {
 namespace {
 

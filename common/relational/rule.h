@@ -93,13 +93,6 @@ std::vector<ApplicableRule> ApplicableRules(const Action& action,
                                             const Vocabulary& vocabulary,
                                             Agent agent);
 
-/// Appends the objects of the rule's references to `binding`, which has those
-/// of its arguments. Returns the place of the first reference that does not
-/// stand for exactly one object, before which it stops; nullopt if all do.
-std::optional<size_t> BindReferences(const NdrRule& rule, const State& state,
-                                     const Vocabulary& vocabulary,
-                                     Binding* binding);
-
 /// The state after the outcome. Of contradicting effects the later one counts.
 State Apply(const Outcome& outcome, const Binding& binding, const State& before,
             const Vocabulary& vocabulary);
