@@ -121,7 +121,12 @@ std::optional<SecLearner::Lesson> SecLearner::Add(
   group.Add(ContributionOf(is_forward ? *showing : showing->Reversed(),
                            best.places, group.types.size(), source, build),
             types());
-  return Lesson{found, best.direction, is_new};
+  Lesson lesson{found, best.direction, is_new, Binding(group.types.size(), -1)};
+  for (size_t role = 0; role < showing->objects.size(); ++role) {
+    if (best.places[role])
+      lesson.objects[*best.places[role]] = showing->objects[role];
+  }
+  return lesson;
 }
 
 void SecLearner::Widen(size_t group, const std::vector<int>& wider) {

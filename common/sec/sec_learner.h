@@ -42,6 +42,8 @@ class SecLearner {
     size_t group = 0;  ///< for Name()
     ActionDirection direction = ActionDirection::kForward;
     bool is_new = false;  ///< nothing like it was shown before
+    /// In the roles of the group's model; -1: the showing has none there.
+    Binding objects = {};
   };
   struct Action {
     std::string name;

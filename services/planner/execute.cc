@@ -1,5 +1,6 @@
 #include "services/planner/execute.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "services/planner/execution/await_rest.h"
@@ -128,7 +129,11 @@ Decisions Execute::Decide(Instant now) {
   }
   while (auto next = state_->Step(context_, now, out)) state_ = std::move(next);
   Dialogue& dialogue = context_.dialogue;
-  if (!out.requests.empty()) dialogue.OnStart();
+  const bool has_begun_action =
+      std::ranges::any_of(out.requests, [](const SkillRequest& request) {
+        return request.purpose != SkillRequest::Purpose::kCleanUp;
+      });
+  if (has_begun_action) dialogue.OnStart();
   if (!dialogue.is_asking()) {
     dialogue.Report(state_->Status(context_), now, out);
   }

@@ -27,9 +27,11 @@ std::string InCapitals(std::string text) {
 }  // namespace
 
 Planner::Planner(Bus& bus, Knowledge knowledge,
+                 std::set<std::string> hands_of_people,
                  std::unique_ptr<DecisionMaker> decision_maker)
     : bus_(bus),
       knowledge_(std::move(knowledge)),
+      hands_of_people_(std::move(hands_of_people)),
       decision_maker_(std::move(decision_maker)) {
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
@@ -120,7 +122,7 @@ bool Planner::OnAction(const recognised_action_t& message) {
   const RuleSet& rules = decision_maker_->rules();
   const auto action = FromMessage(message, rules);
   if (!action) return false;
-  const auto shown = ShownActionFrom(message, rules);
+  const auto shown = ShownActionFrom(message, hands_of_people_, rules);
   if (shown && knowledge_.is_learning()) demonstrations_.Update(*shown);
   Publish(decision_maker_->state().OnAction(*action));
   return true;
@@ -169,6 +171,7 @@ void Planner::Keep(const TaskExperience& experience) {
       cell::ToMessage(experience, decision_maker_->rules().vocabulary());
   message.header.utime = bus_.now();
   bus_.Publish("EXPERIENCE_REQUEST", message);
+  static int64_t temp = 0;
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
@@ -221,11 +224,16 @@ std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
 std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
                                              const Deployment& deployment,
                                              DecisionObserver observer) {
-  const Domain domain = LoadTask(deployment).domain;
-  auto decision_maker = LoadDecisionMaker(domain, deployment);
-  auto planner = std::make_unique<Planner>(
-      bus, Knowledge(domain, decision_maker->is_learning()),
-      std::move(decision_maker));
+  const Task task = LoadTask(deployment);
+  auto decision_maker = LoadDecisionMaker(task.domain, deployment);
+  std::set<std::string> hands_of_people;
+  for (const auto& hand : task.layout.hands) {
+    hands_of_people.insert(hand.name);
+  }
+  Knowledge knowledge(task.domain, decision_maker->is_learning());
+  auto planner = std::make_unique<Planner>(bus, std::move(knowledge),
+                                           std::move(hands_of_people),
+                                           std::move(decision_maker));
   planner->SetObserver(std::move(observer));
   return planner;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -32,7 +33,8 @@ namespace cell::planner {
 class Planner final : public Service {
  public:
   /// `bus` must outlive this object.
-  Planner(Bus& bus, Knowledge knowledge,
+  /// @param hands_of_people  the other hands are the arms'
+  Planner(Bus& bus, Knowledge knowledge, std::set<std::string> hands_of_people,
           std::unique_ptr<DecisionMaker> decision_maker);
 
   /// Is told of all decisions from now on.
@@ -61,6 +63,7 @@ class Planner final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   Knowledge knowledge_;
+  std::set<std::string> hands_of_people_;
   Demonstrations demonstrations_;  // of the episode
   std::unique_ptr<DecisionMaker> decision_maker_;
   DecisionObserver observer_;

@@ -161,11 +161,6 @@ std::optional<DoneAction> FromMessage(const recognised_action_t& message,
 
 namespace {
 
-/// An arm that the domain knows.
-bool IsArm(const std::string& hand, const Vocabulary& vocabulary) {
-  return vocabulary.FindObject(hand).has_value();
-}
-
 /// The action that the named one reverses is done by this one; nullopt if there
 /// is none.
 std::optional<std::string> NameOfReverse(const std::string& name,
@@ -179,13 +174,14 @@ std::optional<std::string> NameOfReverse(const std::string& name,
 
 }  // namespace
 
-std::optional<ShownAction> ShownActionFrom(const recognised_action_t& message,
-                                           const RuleSet& rules) {
+std::optional<ShownAction> ShownActionFrom(
+    const recognised_action_t& message,
+    const std::set<std::string>& hands_of_people, const RuleSet& rules) {
   const Vocabulary& vocabulary = rules.vocabulary();
-  const bool is_by_arm = std::ranges::any_of(
+  const bool is_by_person = std::ranges::any_of(
       message.hands,
-      [&](const std::string& hand) { return IsArm(hand, vocabulary); });
-  if (message.name.empty() || is_by_arm || message.pick_key_frame < 0 ||
+      [&](const std::string& hand) { return hands_of_people.contains(hand); });
+  if (message.name.empty() || !is_by_person || message.pick_key_frame < 0 ||
       message.place_key_frame < message.pick_key_frame) {
     return std::nullopt;
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "cell/alert_t.hpp"
 #include "cell/plan_t.hpp"
@@ -23,8 +25,9 @@ std::optional<DoneAction> FromMessage(const recognised_action_t& message,
 
 /// What a person's hand has shown, if it is recognised, or has opened or joined
 /// a record of the library; nullopt otherwise.
-std::optional<ShownAction> ShownActionFrom(const recognised_action_t& message,
-                                           const RuleSet& rules);
+std::optional<ShownAction> ShownActionFrom(
+    const recognised_action_t& message,
+    const std::set<std::string>& hands_of_people, const RuleSet& rules);
 
 plan_t ToMessage(const PlanOfState& plan, const RuleSet& rules);
 alert_t ToMessage(const Alert& alert);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/actions/action_model_writer.h"
@@ -27,8 +28,19 @@ const ActionModel* Find(const ActionModels& actions, const std::string& name) {
   return nullptr;
 }
 
-/// An action without a description in the domain: its effects are those seen.
-Action ActionOf(const SecLearner::Action& learned) {
+}  // namespace
+
+Learning::Learning(const ActionModels& actions, GenericSkill skill)
+    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure), {}),
+      skill_(std::move(skill)) {
+  for (const ActionModel& model : actions.models()) {
+    if (model.sec) learner_.Know(model.action.name, *model.sec);
+  }
+}
+
+/// An action without a description in the domain: its effects are those seen,
+/// and arms can do it if it ends at a site.
+Action Learning::ActionOf(const SecLearner::Action& learned) const {
   const LearnedModel& model = learned.model;
   NdrRule rule;
   rule.agents = {Agent::kPerson};
@@ -39,28 +51,44 @@ Action ActionOf(const SecLearner::Action& learned) {
   }
   rule.outcomes = {{1 - kNoise, {effect}}};
   rule.noise = kNoise;
-  return {.name = learned.name,
-          .arguments = model.roles,
-          .agents = {Agent::kPerson},
-          .undoes = {},
-          .rules = {rule},
-          .skill = {}};
+  Action action{.name = learned.name,
+                .arguments = model.roles,
+                .agents = {Agent::kPerson},
+                .undoes = {},
+                .rules = {rule},
+                .skill = skill_.For(model)};
+  if (action.skill) action.agents.push_back(Agent::kRobot);
+  return action;
 }
 
-}  // namespace
-
-Learning::Learning(const ActionModels& actions)
-    : learner_(WordsOf(actions), MakeChainSimilarity(SecLearner::kMeasure),
-               {}) {
-  for (const ActionModel& model : actions.models()) {
-    if (model.sec) learner_.Know(model.action.name, *model.sec);
-  }
-}
-
-void Learning::OnManipulation(const ObservedManipulation& manipulation,
-                              const std::string& source) {
+std::optional<Learning::Shown> Learning::OnManipulation(
+    const ObservedManipulation& manipulation, const std::string& source,
+    const ActionModels& actions) {
   last_ = learner_.Add(manipulation, source, BuildVersion());
   has_news_ = has_news_ || last_.has_value();
+  if (!last_) return std::nullopt;
+  return ShownBy(*last_, actions);
+}
+
+/// A group's first role is what was moved; its model in a record may have
+/// another order.
+std::optional<Learning::Shown> Learning::ShownBy(
+    const SecLearner::Lesson& lesson, const ActionModels& actions) const {
+  if (lesson.direction != ActionDirection::kForward ||
+      std::ranges::count(lesson.objects, -1) > 0) {
+    return std::nullopt;
+  }
+  Shown shown{learner_.ActionOf(lesson).name, {}};
+  const ActionModel* known = Find(actions, shown.action);
+  const size_t moved = known != nullptr && known->sec ? known->sec->moved : 0;
+  size_t next = 1;
+  for (size_t i = 0; i < lesson.objects.size(); ++i) {
+    const size_t role = i == moved ? 0 : next++;
+    const auto object = static_cast<size_t>(lesson.objects[role]);
+    shown.arguments.push_back(
+        actions.domain().vocabulary().objects()[object].name);
+  }
+  return shown;
 }
 
 Result<std::string> Learning::Name(const std::string& name, bool is_undone,
@@ -84,7 +112,8 @@ Result<std::string> Learning::Name(const std::string& name, bool is_undone,
   last_ = SecLearner::Lesson{
       *group,
       is_undone ? ActionDirection::kReversed : ActionDirection::kForward,
-      false};
+      false,
+      {}};
   if (!shown.is_named) renamed_.insert(shown.name);
   has_news_ = true;
   return fmt::format("what was shown {} {}", is_undone ? "undoes" : "is", name);
@@ -149,6 +178,9 @@ std::optional<ActionRecord> Learning::ChangeOf(
     if (model.action.agents.empty()) model.action = ActionOf(learned);
   } else {
     model.action = ActionOf(learned);
+    if (model.action.skill) {
+      model.skill_settings = SettingsOf(*model.action.skill);
+    }
   }
   const auto fitted = FitToArguments(learned.model, model.action.arguments,
                                      actions.domain().vocabulary().types());

@@ -8,6 +8,7 @@
 
 #include "common/actions/action_models.h"
 #include "common/actions/action_record.h"
+#include "common/actions/generic_skill.h"
 #include "common/result/result.h"
 #include "common/sec/sec_learner.h"
 
@@ -17,11 +18,20 @@ namespace cell::recognizer {
 /// record of the library.
 class Learning {
  public:
-  explicit Learning(const ActionModels& actions);
+  /// @param skill  by which arms do what was only shown
+  Learning(const ActionModels& actions, GenericSkill skill);
 
+  /// What a manipulation has shown: an action of the library, or one that is
+  /// new there, with its objects in its order.
+  struct Shown {
+    std::string action;
+    std::vector<std::string> arguments;
+  };
+  /// nullopt if it has shown nothing, or an action taken back.
   /// @param source  names the demonstration
-  void OnManipulation(const ObservedManipulation& manipulation,
-                      const std::string& source);
+  std::optional<Shown> OnManipulation(const ObservedManipulation& manipulation,
+                                      const std::string& source,
+                                      const ActionModels& actions);
   /// A manipulation that shows nothing by itself: it cannot be named.
   void OnMixture() { last_.reset(); }
   /// A person's name of the manipulation that was observed last; `is_undone`:
@@ -47,7 +57,12 @@ class Learning {
                                        const ActionModels& actions,
                                        bool keeps_confirmations) const;
 
+  std::optional<Shown> ShownBy(const SecLearner::Lesson& lesson,
+                               const ActionModels& actions) const;
+  Action ActionOf(const SecLearner::Action& learned) const;
+
   SecLearner learner_;
+  GenericSkill skill_;
   std::optional<SecLearner::Lesson> last_;
   bool has_news_ = false;
   bool keeps_confirmations_ = false;

@@ -38,7 +38,7 @@ recognised_action_t ToMessage(const RecognisedAction& action, int64_t index) {
 
 Recognizer::Recognizer(Bus& bus, const Params& params)
     : bus_(bus), params_(params), actions_(params.actions) {
-  if (params.is_learning) learning_.emplace(actions_);
+  if (params.new_skill) learning_.emplace(actions_, *params.new_skill);
   Begin();
   bus.Subscribe<episode_t>("EPISODE",
                            [this](const episode_t& m) { return OnEpisode(m); });
@@ -89,8 +89,16 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
   if (!frame || frame->index <= last_key_frame_) return false;
   if (episode_.IsBefore(frame->utime)) return true;
   last_key_frame_ = frame->index;
+  shown_.clear();
   for (const RecognisedAction& action : recognition_->Update(*frame)) {
-    bus_.Publish("ACTION", ToMessage(action, next_index_++));
+    recognised_action_t message = ToMessage(action, next_index_++);
+    const auto shown = shown_.find(action.part);
+    if (message.kind == recognised_action_t::UNKNOWN && shown != shown_.end()) {
+      message.name = shown->second.action;
+      message.arguments = shown->second.arguments;
+      message.num_arguments = static_cast<int32_t>(message.arguments.size());
+    }
+    bus_.Publish("ACTION", message);
   }
   return true;
 }
@@ -135,7 +143,9 @@ void Recognizer::Learn(const ObservedManipulation& manipulation,
   if (actions.size() > 1 || actions.front().has_stand_in) {
     learning_->OnMixture();
   } else {
-    learning_->OnManipulation(manipulation, demonstration_);
+    auto shown =
+        learning_->OnManipulation(manipulation, demonstration_, actions_);
+    if (shown) shown_[manipulation.part] = *std::move(shown);
   }
 }
 
@@ -154,11 +164,14 @@ Recognizer::Params Recognizer::Params::Load(const Deployment& deployment) {
                 cell::MakeSecLibrary,
                 nullptr,
                 {},
-                false};
+                {}};
   const Config config = deployment.ForService("recognizer");
   params.recognition = Recognition::Params::Load(config);
   params.sensor = task.MakeSensor(ReadPoseNoise(config));
-  params.is_learning = config.Get<bool>("learning");
+  if (config.Get<bool>("learning")) {
+    params.new_skill.emplace(task.domain.vocabulary(), task.geometries,
+                             task.layout);
+  }
   config.Finish();
   return params;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,7 +40,7 @@ class Recognizer final : public Service {
     MakeSecLibrary make_library;
     std::shared_ptr<const PredicateSensor> sensor;
     Recognition::Params recognition;
-    bool is_learning = false;
+    std::optional<GenericSkill> new_skill;  ///< if it learns
 
     /// Of recognizer.yaml and the task. @throws ConfigError naming file:key.
     static Params Load(const Deployment& deployment);
@@ -62,9 +63,11 @@ class Recognizer final : public Service {
   Bus& bus_;
   EpisodeGate episode_;
   Params params_;
-  ActionModels actions_;                      // updated by ACTION_RECORD
-  std::optional<Learning> learning_;          // if it learns
-  std::string demonstration_;                 // that is shown
+  ActionModels actions_;              // updated by ACTION_RECORD
+  std::optional<Learning> learning_;  // if it learns
+  std::string demonstration_;         // that is shown
+  /// What manipulations that end at the key frame have shown, by moved part.
+  std::map<std::string, Learning::Shown> shown_;
   std::unique_ptr<Recognition> recognition_;  // of the episode
   int64_t last_key_frame_ = -1;
   int64_t next_index_ = 0;

@@ -33,6 +33,7 @@ struct Cranfield {
   /// The service that plans with these rules.
   std::unique_ptr<Service> MakePlannerOfRules(Bus& bus) const {
     return std::make_unique<Planner>(bus, Knowledge(*domain, false),
+                                     std::set<std::string>{},
                                      LoadDecisionMaker(*domain, deployment));
   }
   Problem ProblemOf(Agent agent) const {

@@ -42,6 +42,8 @@ struct ExecutionContext {
   bool may_act = false;  ///< the cell's mode lets arms begin something
   /// Trials whose result has not been sensed yet.
   std::vector<TaskExperience> trials = {};
+  /// Arms have gone home since their last action, for a person who is asked.
+  bool have_arms_left_room = false;
   /// [us] Until then the last experience may still become a rule.
   int64_t lesson_utime = 0;
 
@@ -80,7 +82,21 @@ struct ExecutionContext {
   void Start(SkillRequest request, const GroundAction& action,
              const State& state, Instant now, Decisions& out) {
     request.is_careful = IsNew(action);
+    have_arms_left_room = false;
     dispatch.Start(std::move(request), action, state, now, out);
+  }
+
+  /// Arms with empty hands go home, once. False if there are none.
+  bool LeaveRoom(Instant now, Decisions& out) {
+    if (!params.exploration || std::exchange(have_arms_left_room, true)) {
+      return false;
+    }
+    for (const int arm : dispatch.arms().arms()) {
+      if (!dispatch.IsFree(arm) || dispatch.arms().Of(arm)->held) continue;
+      dispatch.Start(RequestToCleanUp(arm, std::nullopt), std::nullopt,
+                     State(0), now, out);
+    }
+    return !dispatch.running().empty();
   }
 
   /// What was sensed and what arms report. @pre the sensed state is fresh.

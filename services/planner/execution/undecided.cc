@@ -67,6 +67,7 @@ NextState Undecided::Step(ExecutionContext& context, Instant now,
   }
   if (!context.dialogue.IsPatient(now)) {
     if (NextState next = BeginMeanwhile(context, state_, now, out)) return next;
+    if (context.LeaveRoom(now, out)) return std::make_unique<Act>();
     return std::make_unique<Ask>(state_, QuestionAbout(context, state_));
   }
   context.sensing.Ask(now, context.params.sense_period_us, out);

@@ -3,6 +3,7 @@ cell_add_test(unit/planner/learned_rules_planning_test.cc
   LINK cell_planner cell_task)
 cell_add_test(unit/planner/monitor_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/planner/exploration_test.cc LINK cell_planner cell_parts)
+cell_add_test(unit/planner/learning_execution_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/planner/unexplained_changes_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/planner/planner_test.cc LINK cell_planner cell_parts)
 cell_add_test(unit/planner/execute_test.cc LINK cell_planner cell_parts)

@@ -23,7 +23,7 @@ class LearningTest : public testing::Test {
  protected:
   LearningTest() {
     recognition_.SetObserver([this](const auto& manipulation, const auto&) {
-      learning_->OnManipulation(manipulation, "test 1");
+      shown_ = learning_->OnManipulation(manipulation, "test 1", actions_);
     });
   }
 
@@ -61,7 +61,10 @@ class LearningTest : public testing::Test {
 
   const ShippedTask task_;
   ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
-  std::optional<Learning> learning_{std::in_place, actions_};
+  std::optional<Learning> learning_{
+      std::in_place, actions_,
+      GenericSkill(task_.domain.vocabulary(), task_.geometries, task_.layout)};
+  std::optional<Learning::Shown> shown_;  // at last
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
                            task_.parts,
@@ -83,7 +86,7 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_EQ(records[0].name, "Action1");
   EXPECT_EQ(records[0].version, 1);
-  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
   EXPECT_THAT(records[0].rules, HasSubstr("PegInHole(X, Y)"));
   EXPECT_THAT(Store(), IsEmpty());
 
@@ -93,6 +96,28 @@ TEST_F(LearningTest, WhatIsShownForTheFirstTimeBecomesARecord) {
   EXPECT_THAT(again[0].arguments,
               testing::ElementsAre("round_peg_2", "base.round_2"));
   EXPECT_GT(again[0].confidence, 0.9);
+}
+
+TEST_F(LearningTest, SaysWhichRecordAnUnknownManipulationHasOpened) {
+  Seat("round_peg_1", "base.round_1");
+  ASSERT_TRUE(shown_);
+  EXPECT_EQ(shown_->action, "Action1");
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("round_peg_1", "base.round_1"));
+}
+
+TEST_F(LearningTest, ArmsInsertWhatWasSeatedAtTheSiteThatAPredicateNames) {
+  Seat("round_peg_1", "base.round_1");
+  const auto at_argument = Store();
+  ASSERT_THAT(at_argument, SizeIs(1));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("name: insert"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("site: Y"));
+  EXPECT_THAT(at_argument[0].skill, HasSubstr("arm: right"));
+  Seat("separator", "base.separator");
+  const auto at_fixed = Store();
+  ASSERT_THAT(at_fixed, SizeIs(1));
+  EXPECT_THAT(at_fixed[0].skill, HasSubstr("site: base.separator"));
+  EXPECT_EQ(at_fixed[0].skill_settings, "insertion");
 }
 
 TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
@@ -151,7 +176,9 @@ TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
 TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   Seat("round_peg_1", "base.round_1");
   Store();
-  learning_.emplace(actions_);
+  learning_.emplace(
+      actions_,
+      GenericSkill(task_.domain.vocabulary(), task_.geometries, task_.layout));
   Seat("round_peg_2", "base.round_2");
   EXPECT_THAT(Store(), IsEmpty());
   Seat("square_peg_2", "base.square_2");
