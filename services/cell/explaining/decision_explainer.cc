@@ -192,8 +192,11 @@ Explanation DecisionExplainer::ExplainRequest(
   Explanation explanation{
       observed.utime, ShowRequest(request, rules.vocabulary()), {}};
   if (request.purpose == SkillRequest::Purpose::kCleanUp) {
-    explanation.reasons = {GoalText(basis) +
-                           " is reached: grippers are emptied, arms go home"};
+    explanation.reasons = {
+        basis.plan.result == Plan::Result::kGoalReached
+            ? GoalText(basis) +
+                  " is reached: grippers are emptied, arms go home"
+            : "it leaves room for the person who is asked"};
     return explanation;
   }
   if (request.purpose == SkillRequest::Purpose::kGoFree) {

@@ -230,6 +230,35 @@ TEST_F(ExplainedBench, AQuestionAboutWhatCannotBeSensedNamesIt) {
               Contains("unknown are: In(bolt_1, hole_1)"));
 }
 
+TEST_F(ExplainedBench, AQuestionAboutWhatNobodyHasShownSaysThatNoRuleHasIt) {
+  bench_ = BenchDomain(BenchWith("effects: [Closed(X)]", "effects: []"));
+  Begin("done");
+  Step(80);
+  EXPECT_THAT(Why("the robot asked: please show me"),
+              Contains("no rule (version 1) has an outcome with Closed(lid): "
+                       "nobody has shown it"));
+}
+
+TEST_F(ExplainedBench, WhatIsLittleKnownIsTriedIfTheCellLearns) {
+  const auto experiences = std::make_shared<std::vector<TaskExperience>>();
+  params_.exploration = Exploration{.known_count = 2,
+                                    .needs_confirmation = false,
+                                    .experiences = experiences};
+  std::vector<::cell::Action> actions = bench_.rules->actions();
+  for (::cell::Action& action : actions) {
+    if (action.name != "Insert") continue;
+    for (NdrRule& rule : action.rules) rule.num_experiences = 1;
+  }
+  bench_.rules = std::make_shared<RuleSet>(
+      "bench", 5, bench_.rules->shared_vocabulary(), actions);
+  Begin("done");
+  Step(10);
+  const Reasons why = Why(kInsertBolt1);
+  EXPECT_THAT(why[0], StartsWith("the cell learns, and knows little of it"));
+  EXPECT_THAT(why, Contains("by this rule (version 5, learned from 1 "
+                            "experience):"));
+}
+
 TEST_F(ExplainedBench, TheEndIsExplainedByTheGoal) {
   is_true_ = {"Closed(lid)"};
   Begin("done");
