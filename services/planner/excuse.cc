@@ -160,19 +160,26 @@ std::string MissingLiterals(const StateSpace& space, int state,
   return text;
 }
 
-/// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
-/// true"
-std::string Complaint(const StateSpace& space, const State& state, int atom,
-                      const std::vector<PlanStep>& steps) {
-  const RuleSet& rules = space.rules();
-  const bool is_true = state.Get(atom) == Truth::kTrue;
-  const std::string name = rules.vocabulary().AtomName(atom);
+/// The first of the steps that needs the opposite of the atom.
+std::optional<GroundAction> StepThatNeeds(const StateSpace& space,
+                                          const State& state, int atom,
+                                          const std::vector<PlanStep>& steps) {
   const auto step =
       std::find_if(steps.begin(), steps.end(), [&](const PlanStep& s) {
         return Needs(space, s.action, atom, Opposite(state.Get(atom)));
       });
+  if (step == steps.end()) return std::nullopt;
+  return step->action;
+}
+
+/// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
+/// true"
+std::string Complaint(const RuleSet& rules, const State& state, int atom,
+                      const std::optional<GroundAction>& needed_by) {
+  const bool is_true = state.Get(atom) == Truth::kTrue;
+  const std::string name = rules.vocabulary().AtomName(atom);
   std::string text;
-  if (step != steps.end()) text = rules.Show(step->action) + " needs ";
+  if (needed_by) text = rules.Show(*needed_by) + " needs ";
   text += (is_true ? "not " : "") + name + ", but " + name;
   return text + (is_true ? " is true and no action makes it false"
                          : " is false and no action makes it true");
@@ -200,9 +207,10 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   }
   const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
   for (const int atom : excuse) {
-    const std::string why = Complaint(space, here, atom, steps);
+    const auto needed_by = StepThatNeeds(space, here, atom, steps);
+    const std::string why = Complaint(space.rules(), here, atom, needed_by);
     because.text += "; " + why;
-    because.needed.push_back({atom, Opposite(here.Get(atom)), why});
+    because.needed.push_back({atom, Opposite(here.Get(atom)), why, needed_by});
   }
   return because;
 }

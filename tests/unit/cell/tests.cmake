@@ -31,3 +31,4 @@ cell_add_test(unit/cell/damaged_domain_test.cc LINK cell_cli cell_planning cell_
 cell_add_test(unit/cell/sufficiency_test.cc LINK cell_cli cell_experiences cell_planner)
 cell_add_test(unit/cell/alarm_score_test.cc LINK cell_cli cell_vtb cell_sec cell_tracker)
 cell_add_test(unit/cell/taught_episodes_test.cc LINK cell_cli cell_vtb cell_geometry cell_sec cell_tracker)
+cell_add_test(unit/cell/decision_explainer_test.cc LINK cell_cli cell_planner cell_parts)
