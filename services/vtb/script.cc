@@ -304,6 +304,7 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
   demonstrations.goal = config.Get<std::string>("goal");
   demonstrations.human_motion = HumanMotionFromConfig(config["human_motion"]);
   demonstrations.raising = config.GetOr<std::string>("raising", "");
+  demonstrations.lies = config.GetOr<std::string>("lies", "");
   for (const auto& [name, entry] : config["placements"].Entries()) {
     demonstrations.rules.emplace(name, RuleFromConfig(entry, name, table));
   }

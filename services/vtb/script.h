@@ -109,6 +109,9 @@ struct Demonstrations {
   /// What the person calls the action that laying a part down undoes; empty:
   /// nothing.
   std::string raising;
+  /// The predicate of the task that is true of a part that lies, as far as the
+  /// person knows what the cell means by it; empty: the person does not.
+  std::string lies;
   std::map<std::string, PlacementRule> rules;
   std::map<std::string, Script> scripts;
 

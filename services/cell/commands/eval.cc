@@ -259,6 +259,7 @@ void AddEval(CLI::App& app, Action* action) {
   AddEvalShown(*eval, action);
   AddEvalRules(*eval, action);
   AddEvalRexd(*eval, action);
+  AddEvalGrowth(*eval, action);
   AddEvalExcuses(*eval, action);
   AddEvalMistakes(*eval, action);
 }

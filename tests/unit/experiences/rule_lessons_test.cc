@@ -127,7 +127,7 @@ TEST_F(ShippedRules, NeedWhatWasSeenToChangeOfOtherPartsOnly) {
   const auto clear = [&](const rules::WorldState& state, int object) {
     return rules::Holds(
         {*world.symbols().Find("Clear"), {{rules::Term::Kind::kVariable, 0}}},
-        {object}, state, world);
+        std::vector<int>{object}, state, world);
   };
   int num_rules = 0;
   for (const rules::Rule& rule : rules.rules) {
