@@ -67,13 +67,16 @@ std::vector<std::vector<int>> BindingsOf(const rules::Rule& rule,
   return bindings;
 }
 
-/// True if the literal is about one argument, and its predicate has been both
-/// true and false of some object: what was never seen to change of an action's
-/// own objects may change nevertheless, as it does of others.
+/// True if the literal says of one argument that a predicate is true, which has
+/// been both true and false of some object: what was never seen to change of an
+/// action's own objects may change nevertheless, as it does of others.
 bool ChangesOfOthers(const rules::Literal& literal,
                      std::span<const Experience> experiences,
                      const rules::World& world) {
-  if (literal.terms.size() != 1 || !NamesAnArgument(literal)) return false;
+  if (literal.comparison != Comparison::kTrue || literal.terms.size() != 1 ||
+      !NamesAnArgument(literal)) {
+    return false;
+  }
   const int first = world.first(literal.symbol);
   for (int i = 0; i < world.num_places(literal.symbol); ++i) {
     bool is_ever_true = false, is_ever_false = false;
