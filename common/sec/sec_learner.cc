@@ -208,9 +208,6 @@ Result<std::vector<std::string>> SecLearner::TakeBack(
     if (!has_taught) return Reason{has_taught.reason()};
     if (*has_taught) names.push_back(group.name);
   }
-  if (names.empty()) {
-    return Reason{"'" + demonstration + "' has taught nothing that is kept"};
-  }
   groups_ = std::move(left);
   return names;
 }

@@ -79,8 +79,8 @@ class SecLearner {
   Result<bool> Merge(const std::string& name, const std::string& into);
   /// Forgets what a demonstration has taught: its actions go back to what the
   /// others have taught; what it alone has taught is gone. The names of these
-  /// actions. Refused, and nothing is forgotten, if it has taught nothing, or
-  /// cannot be told from others.
+  /// actions, none if it has taught nothing. Refused, and nothing is forgotten,
+  /// if it cannot be told from others.
   Result<std::vector<std::string>> TakeBack(const std::string& demonstration);
   /// Nothing is known of the action any more; its name, if it is made up, is
   /// not used again.

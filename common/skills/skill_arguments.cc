@@ -7,7 +7,7 @@ constexpr size_t kMaxArguments = 16;
 
 }  // namespace
 
-std::optional<SkillArguments> ArgumentsOf(const skill_request_t& request) {
+std::optional<SkillArguments> ArgumentsOf(const asked_skill_t& request) {
   if (request.arguments.size() > kMaxArguments) return std::nullopt;
   SkillArguments arguments;
   for (const argument_t& argument : request.arguments) {
@@ -19,15 +19,14 @@ std::optional<SkillArguments> ArgumentsOf(const skill_request_t& request) {
   return arguments;
 }
 
-std::string ArgumentOf(const skill_request_t& request,
-                       const std::string& name) {
+std::string ArgumentOf(const asked_skill_t& request, const std::string& name) {
   for (const argument_t& argument : request.arguments) {
     if (argument.name == name) return argument.value;
   }
   return "";
 }
 
-void SetArguments(const SkillArguments& arguments, skill_request_t* request) {
+void SetArguments(const SkillArguments& arguments, asked_skill_t* request) {
   request->arguments.clear();
   for (const auto& [name, value] : arguments) {
     request->arguments.push_back({name, value});

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 
 namespace cell {
 
@@ -12,9 +12,9 @@ namespace cell {
 using SkillArguments = std::map<std::string, std::string>;
 
 /// Returns nullopt if a name is empty or occurs twice, or if too many.
-std::optional<SkillArguments> ArgumentsOf(const skill_request_t& request);
+std::optional<SkillArguments> ArgumentsOf(const asked_skill_t& request);
 /// Empty if it has none of that name.
-std::string ArgumentOf(const skill_request_t& request, const std::string& name);
-void SetArguments(const SkillArguments& arguments, skill_request_t* request);
+std::string ArgumentOf(const asked_skill_t& request, const std::string& name);
+void SetArguments(const SkillArguments& arguments, asked_skill_t* request);
 
 }  // namespace cell

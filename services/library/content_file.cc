@@ -5,22 +5,22 @@
 
 #include "common/files/draft.h"
 #include "services/library/action_store.h"
-#include "services/library/record_json.h"
+#include "services/library/content_json.h"
 
 namespace cell::library {
 
 void WriteContent(const std::filesystem::path& file,
-                  const std::vector<ActionRecord>& records) {
-  WriteFile(file, TextOfContent(records));
+                  const LibraryContent& content) {
+  WriteFile(file, TextOfContent(content));
 }
 
 void ExportContent(const std::filesystem::path& file,
-                   const std::vector<ActionRecord>& records) {
-  WriteNewFile(file, TextOfContent(records),
+                   const LibraryContent& content) {
+  WriteNewFile(file, TextOfContent(content),
                "choose another file or remove it");
 }
 
-std::vector<ActionRecord> ReadContent(const std::filesystem::path& file) {
+LibraryContent ReadContent(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::stringstream text;
   if (!stream || !(text << stream.rdbuf())) {

@@ -9,6 +9,7 @@
 #include "cell/tick_t.hpp"
 #include "common/actions/record_messages.h"
 #include "common/bus/decode.h"
+#include "common/text/counted.h"
 
 namespace cell::library {
 namespace {
@@ -27,11 +28,28 @@ int8_t OutcomeOf(const Refusal& refusal) {
   return store_answer_t::INVALID;
 }
 
+/// "Insert, Action1 (removed), 3 experiences"
+std::string Summary(const StoreEdit& edit) {
+  std::string names;
+  for (const ActionRecord& record : edit.records) {
+    names += (names.empty() ? "" : ", ") + record.name +
+             (record.is_removed() ? " (removed)" : "");
+  }
+  if (!edit.has_experiences()) return names;
+  // One that moves is removed, and stored anew.
+  const auto num = static_cast<int64_t>(
+      std::max(edit.experiences.size(), edit.removed_experiences.size()));
+  return names + (names.empty() ? "" : ", ") + Counted(num, "experience");
+}
+
 }  // namespace
 
 Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
                  RecordCheck check)
-    : bus_(bus), store_(std::move(store)), check_(std::move(check)) {
+    : bus_(bus),
+      store_(std::move(store)),
+      check_(std::move(check)),
+      experience_check_(check_.domain().vocabulary()) {
   bus_.SubscribeBytes("TICK", 1, [this](auto bytes) { return OnTick(bytes); });
   bus_.Subscribe<episode_t>("EPISODE",
                             [this](const auto& m) { return OnEpisode(m); });
@@ -41,6 +59,9 @@ Library::Library(Bus& bus, std::shared_ptr<ActionStore> store,
       bus_, "COMMAND_LIBRARY", [this](const auto& m) { return OnCommand(m); });
   bus_.Subscribe<action_record_t>("STORE_REQUEST",
                                   [this](const auto& m) { OnStoreRequest(m); });
+  bus_.Subscribe<experience_t>(
+      "EXPERIENCE_REQUEST", [this](const auto& m) { OnExperienceRequest(m); });
+  bus_.Every(1, 0, [this] { PublishExperiences(); });
 }
 
 /// In its tick of joining, the service receives nothing but this TICK.
@@ -64,6 +85,7 @@ bool Library::OnTick(std::span<const uint8_t> bytes) {
 bool Library::OnEpisode(const episode_t& message) {
   const auto event = episode_.Update(message);
   if (event == EpisodeEvent::kBegins || event == EpisodeEvent::kJoins) {
+    demonstration_ = fmt::format("{} {}", message.demonstration, message.seed);
     PublishAll(message.header.utime);
   }
   return event.has_value();
@@ -72,7 +94,9 @@ bool Library::OnEpisode(const episode_t& message) {
 CommandAnswer Library::OnRequest(const library_request_t& message) {
   if (message.id == 0) {
     PublishAll(message.header.utime);
-    return CommandAnswer::Accept("all actions follow on ACTION_RECORD");
+    return CommandAnswer::Accept(
+        "all actions follow on ACTION_RECORD, and all experiences on "
+        "EXPERIENCE");
   }
   const auto record = store_->Find(message.id);
   if (!record) {
@@ -85,24 +109,24 @@ CommandAnswer Library::OnRequest(const library_request_t& message) {
 }
 
 CommandAnswer Library::OnCommand(const command_library_t& message) {
-  const auto records = EditOf(message);
-  if (!records) return CommandAnswer::Refuse(records.reason());
-  if (const auto why = WhyNotAll(*records, check_, *store_); !why.empty()) {
+  const auto edit = EditOf(message);
+  if (!edit) return CommandAnswer::Refuse(edit.reason());
+  if (const auto why = WhyNotAll(edit->records, check_, *store_);
+      !why.empty()) {
     return CommandAnswer::Refuse(why);
   }
-  const auto ids = store_->Store(*records, bus_.tick());
-  std::string names;
-  for (size_t i = 0; i < ids.size(); ++i) {
-    Publish(*store_->Find(ids[i]), message.header.utime);
-    names += (i > 0 ? ", " : "") + (*records)[i].name +
-             ((*records)[i].is_removed() ? " (removed)" : "");
+  const StoredIds ids = store_->Apply(*edit, bus_.tick());
+  const int64_t utime = message.header.utime;
+  for (const int64_t id : ids.records) Publish(*store_->Find(id), utime);
+  for (const int64_t id : edit->removed_experiences) PublishRemoval(id, utime);
+  for (const int64_t id : ids.experiences) {
+    Publish(store_->ExperiencesFrom(id, 1).front(), utime);
   }
-  return CommandAnswer::Accept("changed: " + names);
+  return CommandAnswer::Accept("changed: " + Summary(*edit));
 }
 
-Result<RecordEdits::Records> Library::EditOf(
-    const command_library_t& message) const {
-  const auto content = store_->All();
+Result<StoreEdit> Library::EditOf(const command_library_t& message) const {
+  const LibraryContent content = store_->Content();
   const RecordEdits edits(content, check_.domain(), check_.parts());
   switch (message.kind) {
     case command_library_t::RENAME:
@@ -150,6 +174,64 @@ void Library::Publish(const ActionRecord& record, int64_t utime) {
 
 void Library::PublishAll(int64_t utime) {
   for (const ActionRecord& record : store_->All()) Publish(record, utime);
+  next_told_ = 1;
+  told_utime_ = utime;
+}
+
+void Library::OnExperienceRequest(const experience_t& message) {
+  store_answer_t answer{};
+  answer.header.utime = message.header.utime;
+  answer.channel = "EXPERIENCE_REQUEST";
+  answer.request_sender = message.header.sender;
+  answer.request_seq = message.header.seq;
+  if (const auto refusal = experience_check_.WhyNot(message, *store_)) {
+    answer.outcome = OutcomeOf(*refusal);
+    answer.reason = refusal->reason;
+    bus_.Publish("STORED", answer);
+    return;
+  }
+  ExperienceRecord experience = ToRecord(message);
+  experience.demonstration = demonstration_;
+  experience.id = store_->Keep(experience, bus_.tick());
+  answer.outcome = store_answer_t::STORED;
+  answer.id = experience.id;
+  bus_.Publish("STORED", answer);
+  Publish(experience, message.header.utime);
+}
+
+/// Unless it is not for others to know.
+void Library::Publish(const ExperienceRecord& experience, int64_t utime) {
+  if (!IsTold(experience)) return;
+  experience_t message = ToMessage(experience);
+  message.header.utime = utime;
+  bus_.Publish("EXPERIENCE", message);
+}
+
+void Library::PublishRemoval(int64_t experience, int64_t utime) {
+  experience_t message{};
+  message.header.utime = utime;
+  message.id = experience;
+  bus_.Publish("EXPERIENCE", message);
+}
+
+/// The next of those that were asked for.
+void Library::PublishExperiences() {
+  if (!next_told_) return;
+  const auto experiences = store_->ExperiencesFrom(*next_told_, kToldPerTick);
+  for (const ExperienceRecord& experience : experiences) {
+    Publish(experience, told_utime_);
+  }
+  if (static_cast<int64_t>(experiences.size()) < kToldPerTick) {
+    next_told_.reset();
+  } else {
+    next_told_ = experiences.back().id + 1;
+  }
+}
+
+bool Library::IsTold(const ExperienceRecord& experience) const {
+  const auto action = store_->FindNamed(experience.action);
+  return (!action || !action->is_removed()) &&
+         experience_check_.IsOfTask(experience);
 }
 
 std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
@@ -157,7 +239,11 @@ std::unique_ptr<Service> MakeLibrary(Bus& bus, const Deployment& deployment,
   // In a live cell nothing is removed: what is stored has been answered.
   if (deployment.is_live) store->BeginRun();
   RecordCheck check = RecordCheck::FromTask(deployment);
-  if (const auto why = check.WhyOfAnotherTask(*store)) {
+  auto why = check.WhyOfAnotherTask(*store);
+  if (!why) {
+    why = ExperienceCheck(check.domain().vocabulary()).WhyOfAnotherTask(*store);
+  }
+  if (why) {
     throw StoreError(
         "the library's " + *why +
         "; it was stored for another task, or by a build that says this "

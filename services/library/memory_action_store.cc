@@ -2,17 +2,46 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "common/actions/build_version.h"
 
 namespace cell::library {
 
-MemoryActionStore::MemoryActionStore(std::span<const ActionRecord> records) {
-  Store(records, kBeforeRun);
+MemoryActionStore::MemoryActionStore(std::span<const ActionRecord> records)
+    : experiences_({}, 0) {
+  StoreRecords(records, kBeforeRun);
 }
 
-std::vector<int64_t> MemoryActionStore::Store(
+MemoryActionStore::MemoryActionStore(const LibraryContent& content)
+    : experiences_(content.experiences, content.last_experience) {
+  StoreRecords(content.actions, kBeforeRun);
+  for (size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i].record.id = content.actions[i].id;
+  }
+}
+
+StoredIds MemoryActionStore::Apply(const StoreEdit& edit, int32_t tick) {
+  for (const int64_t id : edit.removed_experiences) {
+    if (!experiences_.Has(id)) {
+      throw std::invalid_argument("there is no experience " +
+                                  std::to_string(id));
+    }
+  }
+  StoredIds ids{StoreRecords(edit.records, tick), {}};
+  for (const int64_t id : edit.removed_experiences) {
+    experiences_.Remove(id, tick, last_change());
+  }
+  for (const ExperienceRecord& experience : edit.experiences) {
+    ids.experiences.push_back(
+        experiences_.Add(experience, tick, last_change()));
+  }
+  return ids;
+}
+
+std::vector<int64_t> MemoryActionStore::StoreRecords(
     std::span<const ActionRecord> records, int32_t tick) {
   const size_t num_before = rows_.size();
   std::vector<int64_t> ids;
@@ -24,8 +53,7 @@ std::vector<int64_t> MemoryActionStore::Store(
                                   "' already exists");
     }
     ids.push_back(rows_.empty() ? 1 : rows_.back().record.id + 1);
-    rows_.push_back(
-        {record, tick, changes_.empty() ? 0 : changes_.back().change.number});
+    rows_.push_back({record, tick, last_change()});
     rows_.back().record.id = ids.back();
   }
   return ids;
@@ -57,32 +85,38 @@ std::vector<ActionRecord> MemoryActionStore::All() const {
   return latest;
 }
 
-std::vector<ActionRecord> MemoryActionStore::BeforeRun() const {
+LibraryContent MemoryActionStore::Content() const {
+  return {All(), Experiences(), experiences_.last_id()};
+}
+
+LibraryContent MemoryActionStore::BeforeRun() const {
   MemoryActionStore before;
   std::ranges::copy_if(rows_, std::back_inserter(before.rows_),
                        [](const Row& row) { return row.tick == kBeforeRun; });
-  return before.All();
+  return {before.All(), experiences_.BeforeRun(), experiences_.last_id()};
 }
 
 void MemoryActionStore::BeginRun() {
   std::erase_if(rows_,
                 [this](const Row& row) { return IsReplaced(row.record); });
   for (Row& row : rows_) row.tick = kBeforeRun;
+  experiences_.BeginRun();
 }
 
 void MemoryActionStore::RollBackTo(int32_t tick) {
   while (!rows_.empty() && rows_.back().tick >= tick) rows_.pop_back();
+  experiences_.RollBackTo(tick);
 }
 
 void MemoryActionStore::BeginChange(const std::string& what) {
   std::vector<ActionRecord> before = All();
-  if (!changes_.empty() && changes_.back().before == before) {
+  if (!changes_.empty() && changes_.back().before == before &&
+      !experiences_.HasChangedIn(last_change())) {
     changes_.back().change.what = what;
     return;
   }
-  const int64_t number =
-      changes_.empty() ? 1 : changes_.back().change.number + 1;
-  changes_.push_back({{number, what, BuildVersion()}, std::move(before)});
+  changes_.push_back(
+      {{last_change() + 1, what, BuildVersion()}, std::move(before)});
   if (changes_.size() > kMaxChanges) changes_.erase(changes_.begin());
 }
 
@@ -102,10 +136,12 @@ std::optional<StoreChange> MemoryActionStore::ChangeOf(int64_t id) const {
   return std::nullopt;
 }
 
-std::optional<std::vector<ActionRecord>> MemoryActionStore::ContentBefore(
+std::optional<LibraryContent> MemoryActionStore::ContentBefore(
     int64_t number) const {
   for (const Change& change : changes_) {
-    if (change.change.number == number) return change.before;
+    if (change.change.number != number) continue;
+    return LibraryContent{change.before, experiences_.BeforeChange(number),
+                          experiences_.last_id()};
   }
   return std::nullopt;
 }

@@ -34,7 +34,7 @@ std::shared_ptr<ActionStore> OpenStore(const Deployment& deployment,
   // A process that comes back within the run finds it there.
   const auto content = run_dir / kStartContentName;
   if (!run_dir.empty() && !std::filesystem::exists(content)) {
-    WriteContent(content, store->All());
+    WriteContent(content, store->Content());
   }
   return store;
 }

@@ -11,6 +11,7 @@
 #include "common/sec/chain_similarities.h"
 #include "common/sec/learned_model_text.h"
 #include "common/sec/sec_learner.h"
+#include "services/library/experience_edits.h"
 #include "services/library/memory_action_store.h"
 
 namespace cell::library {
@@ -60,7 +61,7 @@ std::optional<LearnedModel> LearnedOf(const SecLearner& learner,
 }  // namespace
 
 Result<ActionRecord> RecordEdits::Find(const std::string& name) const {
-  const ActionRecord* record = FindIn(content_, name);
+  const ActionRecord* record = FindIn(content_.actions, name);
   if (record == nullptr || record->is_removed()) {
     return Reason{"there is no action '" + name + "' (cell library list)"};
   }
@@ -70,15 +71,15 @@ Result<ActionRecord> RecordEdits::Find(const std::string& name) const {
 /// The record under this name, as the library would store it next.
 ActionRecord RecordEdits::Next(ActionRecord record,
                                const std::string& name) const {
-  const ActionRecord* known = FindIn(content_, name);
+  const ActionRecord* known = FindIn(content_.actions, name);
   record.id = 0;
   record.name = name;
   record.version = known == nullptr ? 1 : known->version + 1;
   return record;
 }
 
-Result<Records> RecordEdits::Rename(const std::string& name,
-                                    const std::string& new_name) const {
+Result<StoreEdit> RecordEdits::Rename(const std::string& name,
+                                      const std::string& new_name) const {
   const auto record = Find(name);
   if (!record) return Reason{record.reason()};
   if (Find(new_name)) {
@@ -86,20 +87,23 @@ Result<Records> RecordEdits::Rename(const std::string& name,
         "'{}' already exists; choose another name, or merge the two",
         new_name)};
   }
-  Records records = {Next(*record, new_name)};
-  for (const ActionRecord& other : content_) {
+  StoreEdit edit;
+  Records& records = edit.records;
+  records = {Next(*record, new_name)};
+  for (const ActionRecord& other : content_.actions) {
     if (other.undoes != name) continue;
     records.push_back(Next(other, other.name));
     records.back().undoes = new_name;
   }
   records.push_back(Removed(*record));
-  return records;
+  MoveExperiences(content_.experiences, name, new_name, &edit);
+  return edit;
 }
 
-Result<Records> RecordEdits::Remove(const std::string& name) const {
+Result<StoreEdit> RecordEdits::Remove(const std::string& name) const {
   const auto record = Find(name);
   if (!record) return Reason{record.reason()};
-  return Records{Removed(*record)};
+  return StoreEdit{.records = {Removed(*record)}};
 }
 
 Result<ActionRecord> RecordEdits::WithSec(const ActionRecord& record,
@@ -113,27 +117,43 @@ Result<ActionRecord> RecordEdits::WithSec(const ActionRecord& record,
   return next;
 }
 
-Result<Records> RecordEdits::Merge(const std::string& name,
-                                   const std::string& into) const {
+Result<StoreEdit> RecordEdits::Merge(const std::string& name,
+                                     const std::string& into) const {
   const auto record = Find(name);
   const auto kept = Find(into);
   if (!record || !kept) return Reason{record.reason() + kept.reason()};
-  SecLearner learner = LearnerOf(content_, domain_, parts_);
+  SecLearner learner = LearnerOf(content_.actions, domain_, parts_);
   if (const auto merged = learner.Merge(name, into); !merged) {
     return Reason{merged.reason()};
   }
   const auto next = WithSec(*kept, LearnedOf(learner, into).value());
   if (!next) return Reason{next.reason()};
-  return Records{*next, Removed(*record)};
+  StoreEdit edit{.records = {*next, Removed(*record)}};
+  MoveExperiences(content_.experiences, name, into, &edit);
+  return edit;
 }
 
-Result<Records> RecordEdits::TakeBack(const std::string& demonstration) const {
-  SecLearner learner = LearnerOf(content_, domain_, parts_);
+Result<StoreEdit> RecordEdits::TakeBack(
+    const std::string& demonstration) const {
+  StoreEdit edit;
+  ForgetExperiences(content_.experiences, demonstration, &edit);
+  auto records = RecordsWithout(demonstration);
+  if (!records) return Reason{records.reason()};
+  edit.records = *std::move(records);
+  if (edit.records.empty() && !edit.has_experiences()) {
+    return Reason{"'" + demonstration + "' has taught nothing that is kept"};
+  }
+  return edit;
+}
+
+Result<Records> RecordEdits::RecordsWithout(
+    const std::string& demonstration) const {
+  SecLearner learner = LearnerOf(content_.actions, domain_, parts_);
   const auto names = learner.TakeBack(demonstration);
   if (!names) return Reason{names.reason()};
   Records records;
   for (const std::string& name : *names) {
-    const ActionRecord& record = *FindIn(content_, name);
+    const ActionRecord& record = *FindIn(content_.actions, name);
     if (const auto model = LearnedOf(learner, name)) {
       const auto next = WithSec(record, *model);
       if (!next) return Reason{next.reason()};
@@ -148,14 +168,24 @@ Result<Records> RecordEdits::TakeBack(const std::string& demonstration) const {
   return records;
 }
 
-Result<Records> RecordEdits::Restore(const Records& earlier) const {
+Result<StoreEdit> RecordEdits::Restore(const LibraryContent& earlier) const {
+  StoreEdit edit{.records = RecordsOf(earlier.actions)};
+  RestoreExperiences(content_.experiences, earlier.experiences, &edit);
+  if (edit.records.empty() && !edit.has_experiences()) {
+    return Reason{"the library already holds that"};
+  }
+  return edit;
+}
+
+/// That make the actions what they were.
+Records RecordEdits::RecordsOf(const Records& earlier) const {
   Records records;
   for (const ActionRecord& record : earlier) {
-    const ActionRecord* known = FindIn(content_, record.name);
+    const ActionRecord* known = FindIn(content_.actions, record.name);
     if (known != nullptr && SaysTheSame(record, *known)) continue;
     records.push_back(Next(record, record.name));
   }
-  for (const ActionRecord& record : content_) {
+  for (const ActionRecord& record : content_.actions) {
     if (record.is_removed() || FindIn(earlier, record.name)) continue;
     records.push_back(Removed(record));
   }
@@ -164,7 +194,6 @@ Result<Records> RecordEdits::Restore(const Records& earlier) const {
   std::ranges::stable_sort(records, {}, [](const ActionRecord& record) {
     return std::pair(record.is_removed(), !record.undoes.empty());
   });
-  if (records.empty()) return Reason{"the library already holds that"};
   return records;
 }
 

@@ -9,7 +9,8 @@
 
 namespace cell::library {
 
-/// The record as JSON, its keys in the order of the struct.
+/// Its keys are in the order of the struct.
+nlohmann::ordered_json ToJson(const ActionRecord& record);
 /// @throws std::invalid_argument for a text that is not UTF-8.
 std::string JsonOf(const ActionRecord& record);
 /// Strict: every key must be there with a value of its type, and no other.
@@ -17,15 +18,5 @@ std::string JsonOf(const ActionRecord& record);
 /// @throws std::invalid_argument naming where and key.
 ActionRecord RecordFromJson(const nlohmann::json& json,
                             const std::string& where);
-
-/// A library's content as text:
-///
-///   {"format": "actions of a cell", "version": 3, "build": "0.1.0",
-///    "actions": [{...}, ...]}
-std::string TextOfContent(const std::vector<ActionRecord>& records);
-/// @param file  begins the error
-/// @throws std::invalid_argument naming file and key.
-std::vector<ActionRecord> ContentFromText(const std::string& text,
-                                          const std::string& file);
 
 }  // namespace cell::library

@@ -10,15 +10,12 @@
 #include <limits>
 
 #include "common/actions/build_version.h"
+#include "services/library/content_json.h"
 #include "services/library/record_json.h"
 #include "services/library/sqlite_schema.h"
 
 namespace cell::library {
 namespace {
-
-constexpr char kDamaged[] =
-    "is damaged; move it away and import the copy of a run folder: cell "
-    "library import RUN/library.json --database FILE";
 
 constexpr char kLocked[] =
     "cannot be opened for writing; do file and folder exist, and may this user "
@@ -29,7 +26,7 @@ std::string WhatToDo(const SQLite::Exception& e) {
     case SQLITE_NOTADB:
       return "is not an SQLite database; name another file, or move it away";
     case SQLITE_CORRUPT:
-      return kDamaged;
+      return kDamagedStore;
     case SQLITE_FULL:
       return "the disk is full; free some space";
     case SQLITE_IOERR:
@@ -99,7 +96,7 @@ ActionRecord RecordFrom(const SQLite::Statement& row,
     if (record.id != id) throw std::invalid_argument(where + ".id: is another");
     return record;
   } catch (const std::invalid_argument& e) {
-    throw StoreError(std::string(e.what()) + "; the file " + kDamaged);
+    throw StoreError(std::string(e.what()) + "; the file " + kDamagedStore);
   }
 }
 
@@ -123,12 +120,13 @@ SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
                                      Mode mode)
     : file_(file),
       copy_(CopyIfLocked(file, mode)),
-      database_(Open(copy_ ? copy_->path() : file, file)) {
+      database_(Open(copy_ ? copy_->path() : file, file)),
+      experiences_(*database_, file) {
   Guarded([&] {
     // First of all: then no second process can get in between.
     database_->exec("PRAGMA locking_mode = EXCLUSIVE");
     if (TextFrom(*database_, "PRAGMA integrity_check") != "ok") {
-      Fail(file_, kDamaged);
+      Fail(file_, kDamagedStore);
     }
     try {
       schema_version();  // what is not known is left as it is
@@ -143,39 +141,51 @@ SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
 
 SqliteActionStore::~SqliteActionStore() = default;
 
-std::vector<int64_t> SqliteActionStore::Store(
-    std::span<const ActionRecord> records, int32_t tick) {
+StoredIds SqliteActionStore::Apply(const StoreEdit& edit, int32_t tick) {
   return Guarded([&] {
     SQLite::Transaction transaction(*database_);
-    SQLite::Statement insert(
-        *database_,
-        "INSERT INTO action (id, name, version, record, tick, change) VALUES "
-        "(?, ?, ?, ?, ?, (SELECT ifnull(max(number), 0) FROM change))");
-    int64_t id = 0;
-    {
-      SQLite::Statement last(*database_, "SELECT max(id) FROM action");
-      if (last.executeStep()) id = last.getColumn(0).getInt64();
+    StoredIds ids{InsertRecords(edit.records, tick), {}};
+    for (const int64_t id : edit.removed_experiences) {
+      experiences_.Remove(id, tick);
     }
-    std::vector<int64_t> ids;
-    for (ActionRecord record : records) {
-      const auto known = FindNamed(record.name);
-      if (known && known->version >= record.version) {
-        throw std::invalid_argument("an action '" + record.name +
-                                    "' already exists");
-      }
-      record.id = ++id;
-      insert.bind(1, id);
-      insert.bind(2, record.name);
-      insert.bind(3, record.version);
-      insert.bind(4, JsonOf(record));
-      insert.bind(5, tick);
-      insert.exec();
-      insert.reset();
-      ids.push_back(id);
+    for (const ExperienceRecord& experience : edit.experiences) {
+      ids.experiences.push_back(experiences_.Add(experience, tick));
     }
     transaction.commit();
     return ids;
   });
+}
+
+/// Within a transaction.
+std::vector<int64_t> SqliteActionStore::InsertRecords(
+    std::span<const ActionRecord> records, int32_t tick) {
+  SQLite::Statement insert(
+      *database_,
+      "INSERT INTO action (id, name, version, record, tick, change) VALUES "
+      "(?, ?, ?, ?, ?, (SELECT ifnull(max(number), 0) FROM change))");
+  int64_t id = 0;
+  {
+    SQLite::Statement last(*database_, "SELECT max(id) FROM action");
+    if (last.executeStep()) id = last.getColumn(0).getInt64();
+  }
+  std::vector<int64_t> ids;
+  for (ActionRecord record : records) {
+    const auto known = FindNamed(record.name);
+    if (known && known->version >= record.version) {
+      throw std::invalid_argument("an action '" + record.name +
+                                  "' already exists");
+    }
+    record.id = ++id;
+    insert.bind(1, id);
+    insert.bind(2, record.name);
+    insert.bind(3, record.version);
+    insert.bind(4, JsonOf(record));
+    insert.bind(5, tick);
+    insert.exec();
+    insert.reset();
+    ids.push_back(id);
+  }
+  return ids;
 }
 
 std::optional<ActionRecord> SqliteActionStore::Find(int64_t id) const {
@@ -217,8 +227,26 @@ std::vector<ActionRecord> SqliteActionStore::All() const {
   return Latest(std::numeric_limits<int32_t>::max());
 }
 
-std::vector<ActionRecord> SqliteActionStore::BeforeRun() const {
-  return Latest(kBeforeRun + 1);
+std::vector<ExperienceRecord> SqliteActionStore::ExperiencesFrom(
+    int64_t first_id, int64_t max) const {
+  return Guarded([&] { return experiences_.Read(first_id, max); });
+}
+
+int64_t SqliteActionStore::NumExperiences() const {
+  return Guarded([&] { return experiences_.Count(); });
+}
+
+LibraryContent SqliteActionStore::Content() const {
+  return Guarded([&] {
+    return LibraryContent{All(), Experiences(), experiences_.last_id()};
+  });
+}
+
+LibraryContent SqliteActionStore::BeforeRun() const {
+  return Guarded([&] {
+    return LibraryContent{Latest(kBeforeRun + 1), experiences_.BeforeRun(),
+                          experiences_.last_id()};
+  });
 }
 
 int64_t SqliteActionStore::Count() const {
@@ -231,6 +259,7 @@ int64_t SqliteActionStore::Count() const {
 
 void SqliteActionStore::BeginRun() {
   Guarded([&] {
+    SQLite::Transaction transaction(*database_);
     SQLite::Statement update(*database_,
                              "UPDATE action SET tick = ? WHERE tick <> ?");
     update.bind(1, kBeforeRun);
@@ -239,24 +268,31 @@ void SqliteActionStore::BeginRun() {
     database_->exec(
         "DELETE FROM action AS old WHERE EXISTS (SELECT 1 FROM action WHERE "
         "name = old.name AND version > old.version)");
+    experiences_.BeginRun();
+    transaction.commit();
   });
 }
 
 void SqliteActionStore::RollBackTo(int32_t tick) {
   Guarded([&] {
+    SQLite::Transaction transaction(*database_);
     SQLite::Statement remove(*database_, "DELETE FROM action WHERE tick >= ?");
     remove.bind(1, tick);
     remove.exec();
+    experiences_.RollBackTo(tick);
+    transaction.commit();
   });
 }
 
 void SqliteActionStore::BeginChange(const std::string& what) {
-  const std::string before = TextOfContent(All());
+  const std::string before = TextOfContent({.actions = All()});
   Guarded([&] {
     SQLite::Transaction transaction(*database_);
     SQLite::Statement idle(*database_,
                            "DELETE FROM change WHERE before = ? AND number = "
-                           "(SELECT max(number) FROM change)");
+                           "(SELECT max(number) FROM change) AND NOT EXISTS "
+                           "(SELECT 1 FROM experience WHERE change = number OR "
+                           "removed_change = number)");
     idle.bind(1, before);
     idle.exec();
     SQLite::Statement insert(
@@ -272,6 +308,7 @@ void SqliteActionStore::BeginChange(const std::string& what) {
                              "(SELECT max(number) FROM change) - ?");
     remove.bind(1, kMaxChanges);
     remove.exec();
+    experiences_.Trim(kMaxChanges);
     transaction.commit();
   });
 }
@@ -297,9 +334,9 @@ std::optional<StoreChange> SqliteActionStore::ChangeOf(int64_t id) const {
   });
 }
 
-std::optional<std::vector<ActionRecord>> SqliteActionStore::ContentBefore(
+std::optional<LibraryContent> SqliteActionStore::ContentBefore(
     int64_t number) const {
-  return Guarded([&]() -> std::optional<std::vector<ActionRecord>> {
+  return Guarded([&]() -> std::optional<LibraryContent> {
     SQLite::Statement rows(*database_,
                            "SELECT before FROM change WHERE number = ?");
     rows.bind(1, number);
@@ -307,9 +344,11 @@ std::optional<std::vector<ActionRecord>> SqliteActionStore::ContentBefore(
     const std::string where =
         fmt::format("{}:change {}", file_.string(), number);
     try {
-      return ContentFromText(rows.getColumn(0).getString(), where);
+      return LibraryContent{
+          ContentFromText(rows.getColumn(0).getString(), where).actions,
+          experiences_.BeforeChange(number), experiences_.last_id()};
     } catch (const std::invalid_argument& e) {
-      throw StoreError(std::string(e.what()) + "; the file " + kDamaged);
+      throw StoreError(std::string(e.what()) + "; the file " + kDamagedStore);
     }
   });
 }

@@ -54,6 +54,19 @@ constexpr std::array kSteps = {
       ) STRICT;
       ALTER TABLE action ADD COLUMN change INTEGER NOT NULL DEFAULT 0;
     )sql",
+    // experience: JSON (experience_json.h). removed_tick, removed_change: in
+    // and
+    // by which it was removed; NULL: it is there.
+    R"sql(
+      CREATE TABLE experience (
+        id INTEGER PRIMARY KEY,
+        experience TEXT NOT NULL,
+        tick INTEGER NOT NULL,
+        change INTEGER NOT NULL,
+        removed_tick INTEGER,
+        removed_change INTEGER
+      ) STRICT;
+    )sql",
 };
 
 int Number(const SQLite::Database& database, const char* query) {

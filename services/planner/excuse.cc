@@ -56,17 +56,21 @@ State Flipped(State state, const std::vector<int>& atoms) {
   return state;
 }
 
-/// Constant atoms that keep some action from being possible, without those of
-/// the goal itself: assuming the goal would explain nothing.
-std::vector<int> Obstacles(const StateSpace& space, int state,
-                           const Goal& goal) {
+/// Constant atoms that keep some action from being possible. Those of the
+/// goal's predicates only if asked for, and only what is true: assuming the
+/// goal would explain nothing, but what was done may have to be undone.
+std::vector<int> Obstacles(const StateSpace& space, int state, const Goal& goal,
+                           bool with_undoing) {
   const Vocabulary& vocabulary = space.rules().vocabulary();
   std::set<int> goal_predicates;
   for (const Literal& l : goal.literals) goal_predicates.insert(l.relation);
   std::vector<int> obstacles;
   for (const int atom : ConstantAtoms(space, space.ReachableFrom(state))) {
-    if (goal_predicates.contains(vocabulary.Atom(atom).predicate)) continue;
     const Truth wanted = Opposite(space.state(state).Get(atom));
+    if (goal_predicates.contains(vocabulary.Atom(atom).predicate) &&
+        !(with_undoing && wanted == Truth::kFalse)) {
+      continue;
+    }
     const Predicate& predicate =
         vocabulary.predicates()[vocabulary.Atom(atom).predicate];
     if (predicate.report == Predicate::Report::kHeld &&
@@ -191,8 +195,12 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   const auto has_plan = [&](const std::vector<int>& flipped) {
     return solve(Flipped(here, flipped)).leads_to_goal();
   };
-  const std::vector<int> excuse = LeastExcuse(
-      Obstacles(space, state, goal), space.rules().vocabulary(), has_plan);
+  std::vector<int> excuse;
+  for (const bool with_undoing : {false, true}) {
+    if (!excuse.empty()) break;
+    excuse = LeastExcuse(Obstacles(space, state, goal, with_undoing),
+                         space.rules().vocabulary(), has_plan);
+  }
   if (excuse.empty()) {
     because.text += "; no action leads there";
     return because;

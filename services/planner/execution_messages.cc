@@ -137,10 +137,10 @@ std::optional<bool> MayActFromMessage(const operating_mode_t& message) {
   return message.mode == motion_permit_t::EXECUTE;
 }
 
-skill_request_t ToMessage(const SkillRequest& request,
-                          const Vocabulary& vocabulary) {
+asked_skill_t ToMessage(const SkillRequest& request,
+                        const Vocabulary& vocabulary) {
   const auto& objects = vocabulary.objects();
-  skill_request_t message{};
+  asked_skill_t message{};
   message.id = request.id;
   message.deadline_utime = request.deadline_utime;
   message.arm = objects[request.arm].name;

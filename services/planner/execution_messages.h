@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "cell/arm_report_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/operating_mode_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/relational/rule_set.h"
 #include "services/planner/arm_states.h"
@@ -29,8 +29,8 @@ std::optional<SkillResult> FromMessage(const skill_result_t& message,
 /// codes.
 std::optional<bool> MayActFromMessage(const operating_mode_t& message);
 
-skill_request_t ToMessage(const SkillRequest& request,
-                          const Vocabulary& vocabulary);
+asked_skill_t ToMessage(const SkillRequest& request,
+                        const Vocabulary& vocabulary);
 execution_t ToMessage(const ExecutionStatus& status, const RuleSet& rules);
 
 }  // namespace cell::planner

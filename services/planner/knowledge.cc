@@ -25,9 +25,16 @@ void Knowledge::Add(int64_t id, const TaskExperience& experience) {
   has_changed_ = true;
 }
 
+void Knowledge::Remove(int64_t id) {
+  if (by_id_.erase(id) > 0) has_changed_ = true;
+}
+
 std::shared_ptr<const RuleSet> Knowledge::TakeChange(int64_t version) {
   if (!std::exchange(has_changed_, false)) return nullptr;
-  if (by_id_.empty()) return RuleSet::FromDomain(domain_, source_, version);
+  if (by_id_.empty()) {
+    experiences_ = std::make_shared<const Experiences>();
+    return RuleSet::FromDomain(domain_, source_, version);
+  }
   Experiences all;
   for (const auto& [id, experience] : by_id_) all.push_back(experience);
   experiences_ = std::make_shared<const Experiences>(std::move(all));

@@ -29,6 +29,8 @@ class Knowledge {
   /// An experience that the library keeps; one with a known id counts once.
   /// Only if it learns.
   void Add(int64_t id, const TaskExperience& experience);
+  /// The library does not keep it any more.
+  void Remove(int64_t id);
 
   /// If something has changed since the last call: all of it, as a rule set of
   /// this version; nullptr otherwise. Rules that the task has no words for are

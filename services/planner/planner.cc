@@ -139,6 +139,10 @@ bool Planner::OnRecord(const action_record_t& message) {
 }
 
 bool Planner::OnExperience(const experience_t& message) {
+  if (message.action.empty()) {
+    knowledge_.Remove(message.id);
+    return true;
+  }
   const auto experience =
       cell::FromMessage(message, decision_maker_->rules().vocabulary());
   if (!experience) {
@@ -192,7 +196,7 @@ bool Planner::OnResult(const skill_result_t& message) {
 void Planner::Publish(const Decisions& decisions) {
   const RuleSet& rules = decision_maker_->rules();
   for (const SkillRequest& request : decisions.requests) {
-    skill_request_t message = ToMessage(request, rules.vocabulary());
+    asked_skill_t message = ToMessage(request, rules.vocabulary());
     message.header.utime = bus_.now();
     bus_.Publish("SKILL_REQUEST", message);
   }

@@ -70,23 +70,25 @@ std::optional<Learning::Shown> Learning::OnManipulation(
   return ShownBy(*last_, actions);
 }
 
-/// A group's first role is what was moved; its model in a record may have
-/// another order.
+/// The roles are those of the group; its record may have another order.
 std::optional<Learning::Shown> Learning::ShownBy(
     const SecLearner::Lesson& lesson, const ActionModels& actions) const {
   if (lesson.direction != ActionDirection::kForward ||
       std::ranges::count(lesson.objects, -1) > 0) {
     return std::nullopt;
   }
-  Shown shown{learner_.ActionOf(lesson).name, {}};
-  const ActionModel* known = Find(actions, shown.action);
-  const size_t moved = known != nullptr && known->sec ? known->sec->moved : 0;
-  size_t next = 1;
-  for (size_t i = 0; i < lesson.objects.size(); ++i) {
-    const size_t role = i == moved ? 0 : next++;
+  const Vocabulary& vocabulary = actions.domain().vocabulary();
+  const SecLearner::Action learned = learner_.ActionOf(lesson);
+  const ActionModel* known = Find(actions, learned.name);
+  const auto order = ArgumentsOf(
+      learned.model.roles,
+      known != nullptr ? known->action.arguments : learned.model.roles,
+      vocabulary.types());
+  if (!order) return std::nullopt;
+  Shown shown{learned.name, std::vector<std::string>(order->size())};
+  for (size_t role = 0; role < order->size(); ++role) {
     const auto object = static_cast<size_t>(lesson.objects[role]);
-    shown.arguments.push_back(
-        actions.domain().vocabulary().objects()[object].name);
+    shown.arguments[(*order)[role]] = vocabulary.objects()[object].name;
   }
   return shown;
 }
@@ -175,12 +177,11 @@ std::optional<ActionRecord> Learning::ChangeOf(
   if (known != nullptr) {
     model = *known;
     ++model.version;
-    if (model.action.agents.empty()) model.action = ActionOf(learned);
-  } else {
+  }
+  if (model.action.agents.empty()) {
     model.action = ActionOf(learned);
-    if (model.action.skill) {
-      model.skill_settings = SettingsOf(*model.action.skill);
-    }
+    model.skill_settings =
+        model.action.skill ? SettingsOf(*model.action.skill) : "";
   }
   const auto fitted = FitToArguments(learned.model, model.action.arguments,
                                      actions.domain().vocabulary().types());

@@ -90,8 +90,8 @@ RobotArm::RobotArm(Bus& bus, const Params& params)
       "MOTION_PERMIT", [this](const auto& m) { return OnPermit(m); }, 1);
   bus.Subscribe<tracks_t>(
       "TRACKS", [this](const auto& m) { return OnTracks(m); }, 1);
-  bus.Subscribe<skill_request_t>(
-      "SKILL_REQUEST", [this](const auto& m) { return OnRequest(m); });
+  bus.Subscribe<asked_skill_t>("SKILL_REQUEST",
+                               [this](const auto& m) { return OnRequest(m); });
   bus.Subscribe<motion_plan_t>("MOTION_PLAN",
                                [this](const auto& m) { return OnPlan(m); });
   for (const ArmLayout& arm : params_.worker.layout.arms) {
@@ -195,7 +195,7 @@ bool RobotArm::OnTracks(const tracks_t& message) {
   return true;
 }
 
-bool RobotArm::OnRequest(const skill_request_t& message) {
+bool RobotArm::OnRequest(const asked_skill_t& message) {
   if (message.arm != name_) return true;
   auto arguments = ArgumentsOf(message);
   if (!arguments) return false;

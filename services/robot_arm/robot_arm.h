@@ -10,9 +10,9 @@
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/motion_plan_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_traits_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "cell/wrench_t.hpp"
@@ -48,7 +48,7 @@ class RobotArm final : public Service {
   bool OnWrench(const wrench_t& message);
   bool OnPermit(const motion_permit_t& message);
   bool OnTracks(const tracks_t& message);
-  bool OnRequest(const skill_request_t& message);
+  bool OnRequest(const asked_skill_t& message);
   bool OnPlan(const motion_plan_t& message);
   void OnTick();
   void PublishSetpoint(const ArmCommand& command);

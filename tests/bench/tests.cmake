@@ -51,3 +51,9 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME bench_report_test
   COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_test.py)
 set_tests_properties(bench_report_test PROPERTIES LABELS unit TIMEOUT 60)
+add_executable(deciding_bench bench/deciding_bench.cc)
+target_include_directories(deciding_bench PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(deciding_bench PRIVATE
+  CELL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(deciding_bench PRIVATE cell_planner cell_task fmt::fmt
+  cell_warnings)

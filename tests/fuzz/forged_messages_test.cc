@@ -17,6 +17,7 @@
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -31,7 +32,6 @@
 #include "cell/library_request_t.hpp"
 #include "cell/relation_layers_t.hpp"
 #include "cell/sense_request_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/tick_t.hpp"
@@ -106,7 +106,7 @@ void AddOfArms(std::map<std::string, std::vector<Bytes>>& samples) {
   result.arm = "right";
   result.reason = "it jams";
   samples["SKILL_RESULT"] = {Bus::Encode(result)};
-  skill_request_t request{};
+  asked_skill_t request{};
   request.arm = "right";
   request.skill = "insert";
   SetArguments({{"part", "shaft"}, {"site", "base.shaft"}}, &request);

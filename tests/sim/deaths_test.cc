@@ -42,7 +42,7 @@ class Reaper {
       cell.On<arm_report_t>(std::string("ARM_REPORT_") + arm,
                             [this](const auto& m) { OnReport(m); });
     }
-    cell.On<skill_request_t>("SKILL_REQUEST", [this](const auto& m) {
+    cell.On<asked_skill_t>("SKILL_REQUEST", [this](const auto& m) {
       parts_[m.id] = ArgumentOf(m, "part");
     });
     cell.On<alert_t>("ALERT", [this](const auto& m) { OnAlert(m); });

@@ -67,7 +67,7 @@ class Driver final : public Service {
       return;
     }
     const RequestedSkill& next = skills_.front();
-    skill_request_t request{};
+    asked_skill_t request{};
     request.header.utime = bus_.now();
     request.id = ++id_;
     request.deadline_utime = bus_.now() + 1'000'000;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cell/arm_report_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/motion_permit_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/skills/skill_arguments.h"
 #include "tests/sim/assembling_cell.h"
@@ -28,8 +28,8 @@ class SkillWatch {
     cell.On<motion_permit_t>("MOTION_PERMIT", [this](const auto& permit) {
       before_ = std::exchange(permit_, permit);
     });
-    cell.On<skill_request_t>("SKILL_REQUEST",
-                             [this](const auto& m) { OnRequest(m); });
+    cell.On<asked_skill_t>("SKILL_REQUEST",
+                           [this](const auto& m) { OnRequest(m); });
     cell.On<skill_result_t>("SKILL_RESULT",
                             [this](const auto& m) { OnResult(m); });
     for (const char* arm : {"LEFT", "RIGHT"}) {
@@ -50,9 +50,7 @@ class SkillWatch {
     return last_execution_ ? last_execution_->text : "it never began";
   }
   const std::vector<skill_result_t>& results() const { return results_; }
-  const std::map<int64_t, skill_request_t>& requests() const {
-    return requests_;
-  }
+  const std::map<int64_t, asked_skill_t>& requests() const { return requests_; }
   int NumOf(int8_t outcome) const {
     int num = 0;
     for (const skill_result_t& result : results_)
@@ -63,7 +61,7 @@ class SkillWatch {
  private:
   const bool kIsVerbose = std::getenv("CELL_VERBOSE") != nullptr;
 
-  void OnRequest(const skill_request_t& request) {
+  void OnRequest(const asked_skill_t& request) {
     EXPECT_TRUE(requests_.emplace(request.id, request).second)
         << "request " << request.id << " is made twice";
     if (request.skill == "insert") {
@@ -120,7 +118,7 @@ class SkillWatch {
 
   AssemblingCell& cell_;
   std::optional<motion_permit_t> permit_, before_;
-  std::map<int64_t, skill_request_t> requests_;
+  std::map<int64_t, asked_skill_t> requests_;
   std::vector<skill_result_t> results_;
   std::map<std::string, int64_t> running_;     // by arm
   std::map<std::string, std::string> phases_;  // by arm

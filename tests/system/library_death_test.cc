@@ -6,9 +6,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <thread>
 
+#include "cell/store_answer_t.hpp"
+#include "common/bus/decode.h"
 #include "common/bus/lcm_clock.h"
 #include "common/bus/lcm_node.h"
 #include "common/bus/lcm_port.h"
@@ -19,6 +22,8 @@
 #include "common/bus/sim_bus.h"
 #include "services/cell/running/process_group.h"
 #include "services/library/content_file.h"
+#include "services/library/open_store.h"
+#include "services/library/sqlite_action_store.h"
 #include "tests/test_folder.h"
 #include "tests/unit/keeping_cell.h"
 #include "tests/unit/stage_testing.h"
@@ -118,12 +123,41 @@ class LibraryDeath : public testing::Test {
     library_.StopAll(3000);
   }
 
+  void ExpectAnsweredExperiencesIn(const RunLog& log) const;
+
   fs::path dir_;
   Deployment deployment_;
   ProcessGroup library_;
   std::mutex mutex_;
   std::string failure_;
 };
+
+/// Every experience that the library has answered is in its file.
+void LibraryDeath::ExpectAnsweredExperiencesIn(const RunLog& log) const {
+  const SqliteActionStore store(dir_ / "run" / kDatabaseName,
+                                SqliteActionStore::Mode::kExisting);
+  const LibraryContent content = store.Content();
+  std::map<int64_t, std::string> kept;
+  for (const ExperienceRecord& experience : content.experiences) {
+    kept[experience.id] = experience.action;
+  }
+  std::map<int64_t, std::string> answered;
+  for (const auto& [tick, entry] : log.ticks()) {
+    for (const Message& message : entry.messages) {
+      if (message.channel != "STORED") continue;
+      const auto answer = Decode<store_answer_t>(message);
+      ASSERT_TRUE(answer);
+      if (answer->channel != "EXPERIENCE_REQUEST" ||
+          answer->outcome != store_answer_t::STORED) {
+        continue;
+      }
+      const auto asked = static_cast<int32_t>(answer->header.utime / kTickUs);
+      answered[answer->id] = keeping::ExperienceRequestOf(asked).action;
+    }
+  }
+  EXPECT_GT(answered.size(), static_cast<size_t>(kNumTicks) / 2);
+  for (const auto& [id, action] : answered) EXPECT_EQ(kept[id], action);
+}
 
 TEST_F(LibraryDeath, LeavesTheBytesOfOneProcessAndReplays) {
   RunOverLcm();
@@ -149,6 +183,8 @@ TEST_F(LibraryDeath, LeavesTheBytesOfOneProcessAndReplays) {
         << "tick " << tick.header.tick;
   }
   EXPECT_EQ(log.ticks().rbegin()->first, bus.last_tick().header.tick);
+
+  ExpectAnsweredExperiencesIn(log);
 
   Deployment repeated = deployment_;
   repeated.repeated_dir = dir_ / "run";

@@ -1,5 +1,6 @@
-// A process that keeps actions is killed at any moment, a thousand times: its
-// file is whole, and everything that it has acknowledged is in it.
+// A process that keeps actions and experiences is killed at any moment, a
+// thousand times: its file is whole, and everything that it has acknowledged is
+// in it.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,15 +38,35 @@ ActionRecord RecordOf(int64_t number) {
   return record;
 }
 
-/// Stores without end; says each id on `pipe` once it is kept.
+ExperienceRecord ExperienceOf(int64_t number) {
+  ExperienceRecord experience;
+  experience.action = "Action" + std::to_string(number);
+  experience.agent = "person";
+  // Of many sizes, some over several pages.
+  experience.before.assign(static_cast<size_t>(number % 5) * 100,
+                           "On(a, b" + std::to_string(number) + ")");
+  experience.after = {"?Clear(a)"};
+  return experience;
+}
+
+/// Keeps an action if the number is odd, else an experience.
+void Store(ActionStore& store, int64_t number) {
+  if (number % 2 == 0) {
+    store.Keep(ExperienceOf(number / 2), 0);
+  } else {
+    const ActionRecord record = RecordOf((number + 1) / 2);
+    store.Store({&record, 1}, 0);
+  }
+}
+
+/// Stores without end; says each number on `pipe` once it is kept.
 [[noreturn]] void StoreUntilKilled(const fs::path& file, int pipe) {
   try {
     SqliteActionStore store(file, SqliteActionStore::Mode::kCreate);
-    for (auto number = static_cast<int64_t>(store.All().size()) + 1;;
+    for (int64_t number = store.Count() + store.NumExperiences() + 1;;
          ++number) {
-      const ActionRecord record = RecordOf(number);
-      const int64_t id = store.Store({&record, 1}, 0).front();
-      if (write(pipe, &id, sizeof(id)) != sizeof(id)) _exit(3);
+      Store(store, number);
+      if (write(pipe, &number, sizeof(number)) != sizeof(number)) _exit(3);
     }
   } catch (const std::exception& e) {
     const std::string text = std::string(e.what()) + "\n";
@@ -54,13 +75,13 @@ ActionRecord RecordOf(int64_t number) {
   }
 }
 
-std::vector<int64_t> ReadIds(int pipe, int num) {
-  std::vector<int64_t> ids;
-  int64_t id = 0;
-  while (num-- > 0 && read(pipe, &id, sizeof(id)) == sizeof(id)) {
-    ids.push_back(id);
+std::vector<int64_t> ReadNumbers(int pipe, int num) {
+  std::vector<int64_t> numbers;
+  int64_t number = 0;
+  while (num-- > 0 && read(pipe, &number, sizeof(number)) == sizeof(number)) {
+    numbers.push_back(number);
   }
-  return ids;
+  return numbers;
 }
 
 /// A file that children store in, one after the other.
@@ -68,8 +89,8 @@ class KilledStore {
  public:
   explicit KilledStore(fs::path file) : file_(std::move(file)) {}
 
-  /// Lets a child store until it has acknowledged `num` records, and `turns` of
-  /// a loop longer; how many it acknowledged.
+  /// Lets a child store until it has acknowledged `num` times, and `turns` of a
+  /// loop longer; how many it acknowledged.
   size_t StoreAndKill(int num, uint64_t turns) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
@@ -79,34 +100,44 @@ class KilledStore {
       StoreUntilKilled(file_, ends[1]);
     }
     close(ends[1]);
-    std::vector<int64_t> ids = ReadIds(ends[0], num);
+    std::vector<int64_t> numbers = ReadNumbers(ends[0], num);
     for (volatile uint64_t turn = turns; turn > 0;) turn = turn - 1;
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
     EXPECT_TRUE(WIFSIGNALED(status)) << "it ended by itself";
     // What it acknowledged between the last one and the kill.
-    for (const int64_t id : ReadIds(ends[0], kAll)) ids.push_back(id);
-    close(ends[0]);
-    for (size_t i = 0; i < ids.size(); ++i) {
-      EXPECT_EQ(ids[i], num_kept_ + 1 + static_cast<int64_t>(i));
+    for (const int64_t number : ReadNumbers(ends[0], kAll)) {
+      numbers.push_back(number);
     }
-    num_acknowledged_ = num_kept_ + static_cast<int64_t>(ids.size());
-    return ids.size();
+    close(ends[0]);
+    for (size_t i = 0; i < numbers.size(); ++i) {
+      EXPECT_EQ(numbers[i], num_kept_ + 1 + static_cast<int64_t>(i));
+    }
+    num_acknowledged_ = num_kept_ + static_cast<int64_t>(numbers.size());
+    return numbers.size();
   }
 
   /// Opening checks the integrity of the file. True if the store that the kill
   /// cut short is in it nevertheless.
   bool Check() {
     const SqliteActionStore store(file_, SqliteActionStore::Mode::kCreate);
-    const std::vector<ActionRecord> records = store.All();
-    num_kept_ = static_cast<int64_t>(records.size());
+    const LibraryContent content = store.Content();
+    const auto num_experiences =
+        static_cast<int64_t>(content.experiences.size());
+    num_kept_ = static_cast<int64_t>(content.actions.size()) + num_experiences;
+    EXPECT_EQ(num_experiences, num_kept_ / 2);
     EXPECT_GE(num_kept_, num_acknowledged_) << "acknowledged and lost";
     EXPECT_LE(num_kept_, num_acknowledged_ + 1);
-    for (int64_t id = 1; id <= num_kept_; ++id) {
-      ActionRecord expected = RecordOf(id);
-      expected.id = id;
-      EXPECT_EQ(records[static_cast<size_t>(id) - 1], expected);
+    for (size_t i = 0; i < content.actions.size(); ++i) {
+      ActionRecord expected = RecordOf(static_cast<int64_t>(i) + 1);
+      expected.id = static_cast<int64_t>(i) + 1;
+      EXPECT_EQ(content.actions[i], expected);
+    }
+    for (size_t i = 0; i < content.experiences.size(); ++i) {
+      ExperienceRecord expected = ExperienceOf(static_cast<int64_t>(i) + 1);
+      expected.id = static_cast<int64_t>(i) + 1;
+      EXPECT_EQ(content.experiences[i], expected);
     }
     return num_kept_ > num_acknowledged_;
   }

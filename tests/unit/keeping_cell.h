@@ -10,12 +10,13 @@
 #include "common/actions/record_messages.h"
 #include "common/bus/clock_host.h"
 #include "common/bus/roster.h"
+#include "common/experiences/experience_record.h"
 #include "services/library/library.h"
 #include "services/library/open_store.h"
 #include "services/recorder/recorder.h"
 
-/// A cell with many new actions: a clock, a service that asks the library to
-/// keep them, the library, and a recorder.
+/// A cell with many new actions and experiences: a clock, a service that asks
+/// the library to keep them, the library, and a recorder.
 namespace cell::keeping {
 
 using namespace library;
@@ -43,6 +44,19 @@ inline ActionRecord RequestOf(int32_t tick) {
   return record;
 }
 
+/// What is asked to be kept as an experience in this tick: one of an action
+/// that the library knows, or will; or one that is refused.
+inline ExperienceRecord ExperienceRequestOf(int32_t tick) {
+  ExperienceRecord experience;
+  experience.action = "Learned" + std::to_string(tick + tick % 4);
+  experience.objects = {"shaft"};
+  experience.agent = tick % 3 == 0 ? "robot" : "person";
+  experience.before = {"Clear(shaft)"};
+  experience.after = {"?Clear(shaft)", "Clear(separator)"};
+  if (tick % 10 == 4) experience.after = {"Clear(nobody)"};
+  return experience;
+}
+
 /// Begins an episode in tick 3, ends the run.
 class Time final : public Service {
  public:
@@ -67,6 +81,9 @@ class Asker final : public Service {
       action_record_t request = ToMessage(RequestOf(bus.tick()));
       request.header.utime = bus.now();
       bus.Publish("STORE_REQUEST", request);
+      experience_t experience = ToMessage(ExperienceRequestOf(bus.tick()));
+      experience.header.utime = bus.now();
+      bus.Publish("EXPERIENCE_REQUEST", experience);
       if (bus.tick() % kRequestPeriod != 0) return;
       library_request_t all{};
       all.header.utime = bus.now();

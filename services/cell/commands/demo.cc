@@ -213,7 +213,7 @@ void AddDemo(CLI::App& app, Action* action) {
       "Run the cell with each service as a process, over LCM on a private "
       "network: it watches a person assemble, or assembles with its arms "
       "(--demonstration execution; assembly+execution runs one after the "
-      "other).\n"
+      "other), or learns to by asking (--from-nothing).\n"
       "Example: cell demo --seed 7 --pace realtime");
   options->run.AddTo(*command);
   command

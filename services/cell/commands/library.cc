@@ -4,17 +4,22 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
+#include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/library/content_file.h"
+#include "services/library/experience_check.h"
+#include "services/library/experience_edits.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/open_store.h"
 #include "services/library/record_check.h"
@@ -67,6 +72,43 @@ void PrintProvenance(const ActionRecord& record, const ActionStore& store) {
   }
 }
 
+/// How many experiences there are of an action.
+struct ExperienceCounts {
+  int64_t all = 0;
+  int64_t by_robot = 0;
+  int64_t unchanged = 0;
+};
+
+std::map<std::string, ExperienceCounts> CountByAction(
+    const ActionStore& store) {
+  std::map<std::string, ExperienceCounts> counts;
+  for (const ExperienceRecord& experience : store.Experiences()) {
+    ExperienceCounts& of_action = counts[experience.action];
+    ++of_action.all;
+    of_action.by_robot += experience.agent == "robot";
+    of_action.unchanged += experience.before == experience.after;
+  }
+  return counts;
+}
+
+std::string ToText(const ExperienceCounts& counts) {
+  return fmt::format("{}: {} by an arm, {} without a change",
+                     Counted(counts.all, "experience"), counts.by_robot,
+                     counts.unchanged);
+}
+
+void PrintCounts(const std::map<std::string, ExperienceCounts>& counts,
+                 const ActionStore& store) {
+  for (const auto& [name, of_action] : counts) {
+    const auto action = store.FindNamed(name);
+    std::cout << fmt::format("      {:56}  {}{}\n", Printable(name),
+                             ToText(of_action),
+                             !action                ? " (no such action)"
+                             : action->is_removed() ? " (removed)"
+                                                    : "");
+  }
+}
+
 int List(const LibraryOptions& options) {
   const SqliteActionStore store = OpenExisting(options);
   for (const ActionRecord& record : store.All()) {
@@ -78,6 +120,7 @@ int List(const LibraryOptions& options) {
             : Printable(fmt::format("{}", fmt::join(record.agents, ", "))));
     if (options.is_verbose) PrintProvenance(record, store);
   }
+  PrintCounts(CountByAction(store), store);
   return 0;
 }
 
@@ -99,6 +142,9 @@ int Show(const LibraryOptions& options) {
   }
   std::cout << Signature(*record) << "\n";
   PrintProvenance(*record, store);
+  if (const auto counts = CountByAction(store); counts.contains(record->name)) {
+    std::cout << "        " << ToText(counts.at(record->name)) << "\n";
+  }
   const std::pair<const char*, std::string> entries[] = {
       {"version", std::to_string(record->version)},
       {"agents", fmt::format("{}", fmt::join(record->agents, ", "))},
@@ -120,10 +166,11 @@ int Show(const LibraryOptions& options) {
 }
 
 int Export(const LibraryOptions& options) {
-  const std::vector<ActionRecord> records = OpenExisting(options).All();
-  ExportContent(options.file, records);
-  std::cout << fmt::format("{} actions are in {}\n", records.size(),
-                           options.file);
+  const LibraryContent content = OpenExisting(options).Content();
+  ExportContent(options.file, content);
+  std::cout << fmt::format(
+      "{} actions and {} are in {}\n", content.actions.size(),
+      Counted(std::ssize(content.experiences), "experience"), options.file);
   return 0;
 }
 
@@ -167,21 +214,50 @@ std::vector<ActionRecord> NewOnes(const std::vector<ActionRecord>& records,
   return fresh;
 }
 
+/// The same of experiences.
+std::vector<ExperienceRecord> NewExperiences(const LibraryContent& content,
+                                             const LibraryContent& known,
+                                             const RecordCheck& check,
+                                             const std::string& file) {
+  const ExperienceCheck experience_check(check.domain().vocabulary());
+  auto fresh = ExperiencesMissingIn(known.experiences, content.experiences);
+  MemoryActionStore all(known);
+  for (ExperienceRecord& experience : fresh) {
+    const int64_t id = std::exchange(experience.id, 0);
+    if (const auto refusal =
+            experience_check.WhyNot(ToMessage(experience), all)) {
+      throw std::runtime_error(
+          fmt::format("{}: experience {}: {}; nothing was imported", file, id,
+                      refusal->reason));
+    }
+    all.Keep(experience, kBeforeRun);
+  }
+  return fresh;
+}
+
 int Import(const LibraryOptions& options) {
-  const auto records = ReadContent(options.file);
+  const LibraryContent content = ReadContent(options.file);
   const auto check =
       RecordCheck::FromTask(FindCellFiles(options.deploy_dir).deployment);
   SqliteActionStore store(DatabaseOf(options),
                           SqliteActionStore::Mode::kCreate);
-  const std::vector<ActionRecord> fresh =
-      NewOnes(records, check, MemoryActionStore(store.All()), options.file);
+  const StoreEdit fresh{
+      .records = NewOnes(content.actions, check, MemoryActionStore(store.All()),
+                         options.file),
+      .experiences =
+          NewExperiences(content, store.Content(), check, options.file)};
   store.BeginChange("cell library import " + options.file);
-  const std::vector<int64_t> ids = store.Store(fresh, kBeforeRun);
-  for (size_t i = 0; i < fresh.size(); ++i) {
-    std::cout << fmt::format("{:4}  {}\n", ids[i], Signature(fresh[i]));
+  const StoredIds ids = store.Apply(fresh, kBeforeRun);
+  for (size_t i = 0; i < ids.records.size(); ++i) {
+    std::cout << fmt::format("{:4}  {}\n", ids.records[i],
+                             Signature(fresh.records[i]));
   }
-  std::cout << fmt::format("{} actions imported, {} already present\n",
-                           fresh.size(), records.size() - fresh.size());
+  std::cout << fmt::format(
+      "{} actions imported, {} already present; {} imported, {} already "
+      "present\n",
+      fresh.records.size(), content.actions.size() - fresh.records.size(),
+      Counted(std::ssize(fresh.experiences), "experience"),
+      content.experiences.size() - fresh.experiences.size());
   return 0;
 }
 
@@ -191,7 +267,8 @@ void AddLibrary(CLI::App& app, Action* action) {
   auto options = std::make_shared<LibraryOptions>();
   CLI::App* library = app.add_subcommand(
       "library",
-      "Show, change, export or import the actions that a cell knows.\n"
+      "Show, change, export or import what a cell knows: its actions and "
+      "experiences.\n"
       "Example: cell library list --database runs/demo-0001");
   library->require_subcommand(1);
   const auto add = [&](const std::string& name, const std::string& text,
@@ -208,11 +285,12 @@ void AddLibrary(CLI::App& app, Action* action) {
     });
     return command;
   };
-  CLI::App* list =
-      add("list",
-          "List all actions: id, arguments, and agents that can perform them.\n"
-          "Example: cell library list --database runs/demo-0001",
-          List);
+  CLI::App* list = add(
+      "list",
+      "List all actions: id, arguments, and agents that can perform them; and "
+      "how many experiences there are of which.\n"
+      "Example: cell library list --database runs/demo-0001",
+      List);
   list->add_flag("--verbose", options->is_verbose,
                  "also what stored each of them, and which demonstrations "
                  "taught it");
@@ -229,17 +307,17 @@ void AddLibrary(CLI::App& app, Action* action) {
       ->check(NumberIn<int64_t>(0))
       ->required();
   add("export",
-      "Write all actions as JSON.\n"
+      "Write all actions and experiences as JSON.\n"
       "Example: cell library export actions.json --database library.db",
       Export)
       ->add_option("file", options->file, "JSON file")
       ->required();
-  CLI::App* import =
-      add("import",
-          "Store the actions of a JSON file, all or none, as if a service had "
-          "sent a request for each.\n"
-          "Example: cell library import actions.json --database library.db",
-          Import);
+  CLI::App* import = add(
+      "import",
+      "Store the actions and experiences of a JSON file, all or none, as if "
+      "a service had sent a request for each.\n"
+      "Example: cell library import actions.json --database library.db",
+      Import);
   import->add_option("file", options->file, "JSON file")->required();
   import->add_option("--deploy", options->deploy_dir,
                      "folder with config/ and tasks/");

@@ -15,6 +15,7 @@
 #include "common/text/printable.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/cell/running/operator_port.h"
+#include "services/library/experience_check.h"
 #include "services/library/open_store.h"
 #include "services/library/record_edits.h"
 #include "services/library/sqlite_action_store.h"
@@ -33,8 +34,8 @@ struct EditOptions {
   OperatorOptions port;
 };
 
-using EditFunction = std::function<Result<RecordEdits::Records>(
-    const RecordEdits&, const ActionStore&)>;
+using EditFunction =
+    std::function<Result<StoreEdit>(const RecordEdits&, const ActionStore&)>;
 
 /// An edit as a command to a running cell, and as one on a database.
 struct Edit {
@@ -58,26 +59,37 @@ int EditDatabase(const EditOptions& options, const Edit& edit) {
       RecordCheck::FromTask(FindCellFiles(options.deploy_dir).deployment);
   const auto file = LibraryFile(options.database);
   SqliteActionStore store(file, SqliteActionStore::Mode::kExisting);
-  if (const auto why = check.WhyOfAnotherTask(store)) {
-    throw std::runtime_error(file.string() + ": its " + *why +
+  auto why_of_another = check.WhyOfAnotherTask(store);
+  if (!why_of_another) {
+    why_of_another =
+        ExperienceCheck(check.domain().vocabulary()).WhyOfAnotherTask(store);
+  }
+  if (why_of_another) {
+    throw std::runtime_error(file.string() + ": its " + *why_of_another +
                              "; name its task's --deploy");
   }
-  const auto content = store.All();
-  const auto records = edit.on_database(
+  const LibraryContent content = store.Content();
+  const auto changes = edit.on_database(
       RecordEdits(content, check.domain(), check.parts()), store);
   const std::string why =
-      records ? WhyNotAll(*records, check, store) : records.reason();
+      changes ? WhyNotAll(changes->records, check, store) : changes.reason();
   if (!why.empty()) {
     throw std::runtime_error(
         fmt::format("{}: {}; nothing was changed", file.string(), why));
   }
   store.BeginChange("cell library " + edit.title);
-  const std::vector<int64_t> ids = store.Store(*records, kBeforeRun);
+  const std::vector<int64_t> ids = store.Apply(*changes, kBeforeRun).records;
   for (size_t i = 0; i < ids.size(); ++i) {
-    const ActionRecord& record = (*records)[i];
+    const ActionRecord& record = changes->records[i];
     std::cout << fmt::format("{:4}  {}, version {}{}\n", ids[i],
                              Printable(record.name), record.version,
                              record.is_removed() ? ": removed" : "");
+  }
+  if (changes->has_experiences()) {
+    std::cout << fmt::format(
+        "{} stored, {} removed\n",
+        Counted(std::ssize(changes->experiences), "experience"),
+        std::ssize(changes->removed_experiences));
   }
   std::cout << fmt::format("this is change {} of {}\n",
                            store.Changes().back().number, file.string());
@@ -89,9 +101,8 @@ int RunEdit(const EditOptions& options, const Edit& edit) {
                                   : EditDatabase(options, edit);
 }
 
-Result<RecordEdits::Records> RollBack(const RecordEdits& edits,
-                                      const ActionStore& store,
-                                      int64_t number) {
+Result<StoreEdit> RollBack(const RecordEdits& edits, const ActionStore& store,
+                           int64_t number) {
   const auto changes = store.Changes();
   if (changes.empty()) return Reason{"no change of it is kept"};
   if (number == 0) number = changes.back().number;
@@ -205,7 +216,8 @@ void EditCommands::AddRename() {
 void EditCommands::AddRemove() {
   CLI::App* command =
       Add("remove",
-          "Remove an action: it is not recognised or planned any more.\n"
+          "Remove an action: it is not recognised or planned any more. Its "
+          "experiences are kept, and not told to anyone.\n"
           "Example: cell library remove Action1 --database library.db",
           command_library_t::REMOVE,
           [options = options_](const RecordEdits& edits, const ActionStore&) {
@@ -232,7 +244,8 @@ void EditCommands::AddTakeBack() {
   CLI::App* command =
       Add("take-back",
           "Forget what a demonstration has taught: its actions go back "
-          "to what the others have taught.\n"
+          "to what the others have taught, and what people did in it is no "
+          "experience any more.\n"
           "Example: cell library take-back \"assembly 2\" --database "
           "library.db",
           command_library_t::TAKE_BACK,

@@ -95,10 +95,13 @@ void AddViolations(const MotionCheck& check, json* row) {
 
 json RunAssembly(const std::string& script, uint64_t seed,
                  const Deployment& deployment, const Roster& roster,
-                 const Intervention& intervene) {
+                 const Intervention& intervene, const std::string& goal) {
   const Task task = LoadTask(deployment);
-  const auto success = SuccessCriterion::FromConfig(
-      deployment.OfTask("success.yaml"), task.domain, task.parts);
+  auto success = SuccessCriterion::FromConfig(deployment.OfTask("success.yaml"),
+                                              task.domain, task.parts);
+  if (!goal.empty()) {
+    success = success.ForGoal(*task.domain.FindGoal(goal));
+  }
   AssemblyObserver observer(success);
   MotionCheck check(task.layout, task.parts);
   SimBus bus(roster, AllServices(deployment, script, seed));
@@ -108,10 +111,15 @@ json RunAssembly(const std::string& script, uint64_t seed,
     check.Put(message);
     if (also) also(message);
   });
+  return AssemblyRow(observer, check, task.parts);
+}
+
+json AssemblyRow(const AssemblyObserver& observer, const MotionCheck& check,
+                 const PartTable& parts) {
   json row;
-  AddScore(observer.Score().value(), task.parts, &row);
+  AddScore(observer.Score().value(), parts, &row);
   AddRecord(observer.record(), &row);
-  AddParts(observer.record(), task.parts, &row);
+  AddParts(observer.record(), parts, &row);
   AddViolations(check, &row);
   return row;
 }

@@ -8,6 +8,9 @@
 #include "common/bus/roster.h"
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
+#include "common/parts/part_table.h"
+#include "services/cell/scoring/assembly_observer.h"
+#include "services/cell/scoring/motion_check.h"
 
 namespace cell::cli {
 
@@ -18,11 +21,18 @@ inline constexpr char kExecutionScript[] = "execution";
 /// the ground truth at its end, its motions checked on the way. `script`: of
 /// the task's demonstrators.yaml. `intervene`: called before the run; its
 /// result receives every message and may schedule outages of services.
+/// `goal`: by which the end is scored; empty: that of success.yaml.
 using Intervention =
     std::function<std::function<void(const Message&)>(SimBus& bus)>;
 nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
                            const Deployment& deployment, const Roster& roster,
-                           const Intervention& intervene = {});
+                           const Intervention& intervene = {},
+                           const std::string& goal = "");
+
+/// What such a row says of an assembly that was observed and checked.
+/// @pre there were enough poses for a score.
+nlohmann::json AssemblyRow(const AssemblyObserver& observer,
+                           const MotionCheck& check, const PartTable& parts);
 
 /// True if the motions of the row's run kept all limits.
 bool HasKeptLimits(const nlohmann::json& row);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "common/bus/decode.h"
 #include "common/task/task.h"
 #include "services/cell/evaluations/assembly_row.h"
@@ -129,12 +129,8 @@ class InsertionEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 20; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    for (const char* group : {kSearch, kNoSearch}) {
-      AddTrials(group, runs, seed, &trials);
-    }
-    return trials;
+  std::vector<TrialGroup> groups() const override {
+    return {{kSearch}, {kNoSearch}};
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,

@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "cell/asked_skill_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/motion_permit_t.hpp"
-#include "cell/skill_request_t.hpp"
 
 namespace cell::cli {
 namespace {
@@ -57,7 +57,7 @@ void SkillDriver::OnTick() {
 void SkillDriver::Ask(const Task& task) {
   requested_ = task;
   is_waiting_ = true;
-  skill_request_t request{};
+  asked_skill_t request{};
   request.header.utime = bus_.now();
   request.id = ++id_;
   request.deadline_utime = bus_.now() + kDeadlineUs;

@@ -23,7 +23,7 @@ bool IsAtWork(const arm_report_t& report) {
   return report.request >= 0 && phases.contains(report.phase);
 }
 
-StoppedSkill SkillOf(const skill_request_t& request, const PartTable& parts) {
+StoppedSkill SkillOf(const asked_skill_t& request, const PartTable& parts) {
   if (request.skill != "insert") return StoppedSkill::kSetDown;
   const Site* site = parts.FindSite(ArgumentOf(request, "site"));
   return site != nullptr && parts.FindThread(site->type) != nullptr
@@ -35,7 +35,7 @@ StoppedSkill SkillOf(const skill_request_t& request, const PartTable& parts) {
 
 void StopInjector::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
-    if (auto request = Decode<skill_request_t>(message)) {
+    if (auto request = Decode<asked_skill_t>(message)) {
       requests_[request->id] = *std::move(request);
     }
   } else if (message.channel.starts_with("ARM_REPORT_")) {
@@ -72,7 +72,7 @@ void StopInjector::OnReport(const arm_report_t& report) {
   Make(choice, report.arm, ArgumentOf(requests_.at(report.request), "part"));
 }
 
-void StopInjector::Choose(const skill_request_t& request, Skill& skill) {
+void StopInjector::Choose(const asked_skill_t& request, Skill& skill) {
   const std::string part = ArgumentOf(request, "part");
   if (part.empty()) return;
   const StoppedSkill kind = SkillOf(request, success_.parts);

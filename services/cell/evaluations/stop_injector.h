@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cell/arm_report_t.hpp"
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "common/bus/sim_bus.h"
 #include "common/geometry/truth_poses.h"
 #include "common/skills/skill_arguments.h"
@@ -58,7 +58,7 @@ class StopInjector {
       std::tuple<std::string, std::string, std::string>;  // arm, skill, part
 
   void OnReport(const arm_report_t& report);
-  void Choose(const skill_request_t& request, Skill& skill);
+  void Choose(const asked_skill_t& request, Skill& skill);
   void Make(const StopChoice& choice, const std::string& arm,
             const std::string& part);
   void Command(int32_t tick, const std::string& channel, auto message);
@@ -69,7 +69,7 @@ class StopInjector {
   const SuccessCriterion& success_;
   uint64_t seed_;
   std::map<std::string, Skill> skills_;  // by arm
-  std::map<int64_t, skill_request_t> requests_;
+  std::map<int64_t, asked_skill_t> requests_;
   std::map<Key, int> num_tried_;
   std::map<StoppedSkill, int> num_of_;
   std::vector<MadeStop> stops_;

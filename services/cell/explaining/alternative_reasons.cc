@@ -16,7 +16,8 @@ namespace {
 using planner::Alternative;
 using planner::DecisionBasis;
 
-constexpr size_t kNumOthers = 3;  // that are shown unless all are asked for
+constexpr size_t kNumAlternatives =
+    3;  // that are shown unless all are asked for
 
 std::string ValueOf(const Alternative& alternative) {
   return fmt::format(
@@ -39,7 +40,7 @@ void AddOthers(const DecisionBasis& basis, const Alternative& chosen,
                Reasons* lines) {
   size_t num_shown = 0;
   for (const Alternative& other : others) {
-    if (num_shown == kNumOthers && !is_verbose) break;
+    if (num_shown == kNumAlternatives && !is_verbose) break;
     lines->push_back(fmt::format("{}: {} {}: {}",
                                  num_shown == 0 ? "next best" : "then",
                                  basis.problem.rules->Show(other.step.action),

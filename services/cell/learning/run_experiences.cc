@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cell/asked_skill_t.hpp"
 #include "cell/attempt_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
 #include "common/bus/run_log.h"
@@ -39,7 +39,7 @@ class RunReader {
     if (message.channel == "ACTION") Take(Decode<recognised_action_t>(message));
     if (message.channel == "ATTEMPT") Take(Decode<attempt_t>(message));
     if (message.channel == "SKILL_REQUEST") {
-      Take(Decode<skill_request_t>(message));
+      Take(Decode<asked_skill_t>(message));
     }
     if (message.channel == "SKILL_RESULT") {
       Take(Decode<skill_result_t>(message));
@@ -95,7 +95,7 @@ class RunReader {
     tracer_->Reversed(*action, pick, place);
   }
 
-  void Take(const std::optional<skill_request_t>& message) {
+  void Take(const std::optional<asked_skill_t>& message) {
     if (!message) return;
     for (const GroundAction& action : robot_actions_) {
       if (Names(*message, action)) {
@@ -137,7 +137,7 @@ class RunReader {
   }
 
   /// True if the request is for the skill of the action.
-  bool Names(const skill_request_t& request, const GroundAction& action) const {
+  bool Names(const asked_skill_t& request, const GroundAction& action) const {
     const auto& skill =
         world_.actions()[static_cast<size_t>(action.action)].skill;
     if (!skill) return false;

@@ -10,6 +10,7 @@
 #include "cell/arm_setpoint_t.hpp"
 #include "cell/arm_state_t.hpp"
 #include "cell/arm_stop_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/attempt_t.hpp"
 #include "cell/command_confirm_t.hpp"
 #include "cell/command_episode_t.hpp"
@@ -35,7 +36,6 @@
 #include "cell/relation_layers_t.hpp"
 #include "cell/rgbd_frame_t.hpp"
 #include "cell/sense_request_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/status_t.hpp"
 #include "cell/step_t.hpp"
@@ -97,7 +97,7 @@ const std::map<std::string, ChannelType>& Table() {
       {"PREDICATES", Of<predicates_t>()},
       {"RELATION_LAYERS", Of<relation_layers_t>()},
       {"SENSE_REQUEST", Of<sense_request_t>()},
-      {"SKILL_REQUEST", Of<skill_request_t>()},
+      {"SKILL_REQUEST", Of<asked_skill_t>()},
       {"SKILL_RESULT", Of<skill_result_t>()},
       {"STATUS", Of<status_t>()},
       {"STEP", Of<step_t>()},

@@ -8,6 +8,7 @@
 
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/key_frame_t.hpp"
@@ -15,7 +16,6 @@
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/decode.h"
 #include "common/text/counted.h"
@@ -64,8 +64,7 @@ std::string StepsOf(const std::vector<plan_step_t>& steps) {
 /// The next step, or why there is none.
 std::string SummaryOf(const plan_t& plan) {
   if (plan.result == plan_t::GOAL_REACHED) return "the goal is reached";
-  if (plan.result == plan_t::UNDECIDED ||
-      plan.result == plan_t::NOT_LEARNED) {
+  if (plan.result == plan_t::UNDECIDED || plan.result == plan_t::NOT_LEARNED) {
     return "no plan yet: " + plan.reason;
   }
   if (plan.result != plan_t::FOUND || plan.steps.empty()) {
@@ -79,7 +78,7 @@ std::string SummaryOf(const plan_t& plan) {
 }
 
 /// "seat PART at SITE"
-std::string WordsOf(const skill_request_t& request) {
+std::string WordsOf(const asked_skill_t& request) {
   static const std::map<std::string, std::string> kWords = {
       {"insert", "seat"}, {"present", "hand over"}};
   const auto it = kWords.find(request.skill);
@@ -144,6 +143,9 @@ std::vector<std::string> Narrator::DescribeAction(const Message& message) {
       break;
     default:
       what = "an unknown manipulation of " + action->part;
+      if (!action->name.empty()) {
+        what += ", learned as " + Call(*action, action->name);
+      }
   }
   std::string line =
       fmt::format("{} by {}", what, fmt::join(action->hands, ", "));
@@ -212,7 +214,7 @@ std::vector<std::string> Narrator::DescribeAnswer(const Message& message) {
 }
 
 std::vector<std::string> Narrator::DescribeRequest(const Message& message) {
-  const auto request = Decode<skill_request_t>(message);
+  const auto request = Decode<asked_skill_t>(message);
   if (!request) return {};
   const std::string what =
       fmt::format("the {} arm is to {}", request->arm, WordsOf(*request));

@@ -28,7 +28,8 @@ void RunOptions::AddTo(CLI::App& command) {
   command.add_flag(
       "--from-nothing", is_from_nothing,
       "know no action at first but the arms' own skills, and learn how they "
-      "look and what they do from what is shown and tried");
+      "look and what they do from what is shown and tried (default: three "
+      "episodes with a person who shows what the cell asks for)");
   CLI::Option* learn = command.add_flag(
       "--learn", learns, "learn from what is shown (default: recognizer.yaml)");
   command.add_flag("--no-learn", does_not_learn, "learn nothing")
@@ -53,6 +54,7 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   if (!help_steps.empty() && episodes.empty()) {
     episodes = "assembly+execution_helped";
   }
+  if (is_from_nothing && episodes.empty()) episodes = kTaughtEpisodes;
   CheckTask(files, {.demonstration = episodes,
                     .has_cameras = has_cameras,
                     .help_steps = help_steps});

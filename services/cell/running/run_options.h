@@ -12,6 +12,9 @@ class App;
 
 namespace cell::cli {
 
+/// The episodes of a cell that starts from nothing, if no others are named.
+inline constexpr char kTaughtEpisodes[] = "taught+taught+taught";
+
 /// The common options of `cell demo` and `cell sim`.
 struct RunOptions {
   std::string deploy_dir;

@@ -4,7 +4,7 @@
 
 namespace cell::cli {
 
-void ArmActivity::OnRequest(const skill_request_t& request) {
+void ArmActivity::OnRequest(const asked_skill_t& request) {
   parts_[request.id] = ArgumentOf(request, "part");
 }
 

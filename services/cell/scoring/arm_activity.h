@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cell/arm_report_t.hpp"
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 
 namespace cell::cli {
 
@@ -14,7 +14,7 @@ namespace cell::cli {
 class ArmActivity {
  public:
   /// A request to this arm.
-  void OnRequest(const skill_request_t& request);
+  void OnRequest(const asked_skill_t& request);
   void OnReport(const arm_report_t& report);
 
   /// Id of the skill that runs, or ran last; -1: none so far.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cell/alert_t.hpp"
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
 #include "common/bus/decode.h"
@@ -14,7 +14,7 @@ namespace cell::cli {
 
 void AssemblyObserver::Put(const Message& message) {
   if (message.channel == "SKILL_REQUEST") {
-    const auto request = Decode<skill_request_t>(message);
+    const auto request = Decode<asked_skill_t>(message);
     if (!request) return;
     ++record_.num_requests;
     if (request->skill == "insert") inserts_.insert(request->id);

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cell/alert_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/key_frame_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/truth_action_t.hpp"
 #include "common/bus/message.h"
@@ -30,7 +30,8 @@ struct EpisodeRecord {
   std::vector<alert_t> alerts;
   std::vector<plan_t> plans;
   std::map<int64_t, int64_t> key_frame_utimes;  ///< by index
-  std::vector<skill_request_t> requests;
+  std::map<int64_t, int32_t> key_frame_ticks;   ///< of publication, by index
+  std::vector<asked_skill_t> requests;
   std::vector<skill_result_t> results;
   std::optional<execution_t> execution;  ///< the last
   PoseHistory pose_history;

@@ -91,7 +91,7 @@ bool MotionCheck::OnReport(const std::string& arm, const Message& message) {
 }
 
 bool MotionCheck::OnRequest(const Message& message) {
-  const auto request = Decode<skill_request_t>(message);
+  const auto request = Decode<asked_skill_t>(message);
   if (!request) return false;
   const auto activity = activities_.find(request->arm);
   if (activity != activities_.end()) activity->second.OnRequest(*request);

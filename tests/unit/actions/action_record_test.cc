@@ -9,6 +9,7 @@
 #include "common/actions/action_model_writer.h"
 #include "common/actions/action_models.h"
 #include "common/actions/record_messages.h"
+#include "services/library/content_json.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/record_check.h"
 #include "services/library/record_json.h"
@@ -248,19 +249,23 @@ TEST_F(Records, AreTheSameAfterTheirMessageAndTheirJson) {
     records[i].id = static_cast<int64_t>(i) + 1;
     EXPECT_EQ(FromMessage(ToMessage(records[i])), records[i]);
   }
-  EXPECT_EQ(ContentFromText(TextOfContent(records), "a.json"), records);
+  EXPECT_EQ(
+      ContentFromText(TextOfContent({.actions = records}), "a.json").actions,
+      records);
 }
 
 TEST_F(Records, OfTheFirstFormatHaveTheFirstVersion) {
-  std::string text = TextOfContent({of_task_[0]});
+  std::string text = TextOfContent({.actions = {of_task_[0]}});
   const std::string of_record = "\"version\": 1,";
   text.erase(text.find(of_record), of_record.size());
-  text.replace(text.find("\"version\": 3"), 12, "\"version\": 1");
-  EXPECT_EQ(ContentFromText(text, "a.json"), std::vector{of_task_[0]});
+  text.replace(text.find("\"version\": 4"), 12, "\"version\": 1");
+  text.resize(text.find(",\n \"last_experience\""));
+  text += "}";
+  EXPECT_EQ(ContentFromText(text, "a.json").actions, std::vector{of_task_[0]});
 }
 
 TEST_F(Records, AreReadStrictlyFromJson) {
-  const std::string good = TextOfContent({of_task_[0]});
+  const std::string good = TextOfContent({.actions = {of_task_[0]}});
   const auto complaint = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     const size_t at = text.find(from);
@@ -274,9 +279,9 @@ TEST_F(Records, AreReadStrictlyFromJson) {
   };
   EXPECT_EQ(complaint("\"id\"", "\"id\""), "");
   EXPECT_THAT(complaint("{", ""), HasSubstr("a.json: is not JSON"));
-  EXPECT_THAT(complaint("\"version\": 3", "\"version\": 4"),
-              testing::AllOf(HasSubstr("a.json.version: is 4; this build ("),
-                             HasSubstr("reads 1 to 3; use build ")));
+  EXPECT_THAT(complaint("\"version\": 4", "\"version\": 5"),
+              testing::AllOf(HasSubstr("a.json.version: is 5; this build ("),
+                             HasSubstr("reads 1 to 4; use build ")));
   EXPECT_THAT(complaint("\"build\"", "\"built\""),
               HasSubstr("a.json.built: not known"));
   EXPECT_THAT(complaint("actions of a cell", "recipes"),

@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "cell/skill_request_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "common/bus/bus.h"
 #include "common/geometry/pose.h"
@@ -42,7 +42,7 @@ class AssemblyObserverTest : public testing::Test {
   }
   void End(int64_t id, const std::string& skill, int8_t outcome,
            double peak_force = 0) {
-    skill_request_t request{};
+    asked_skill_t request{};
     request.id = id;
     request.skill = skill;
     Put("SKILL_REQUEST", request);

@@ -87,7 +87,7 @@ class MotionCheckTest : public testing::Test {
     Put("ARM_SETPOINT_" + ChannelSuffix(arm), setpoint, 7);
   }
   void Ask(const std::string& arm, int64_t id, const std::string& part) {
-    skill_request_t request{};
+    asked_skill_t request{};
     request.id = id;
     request.arm = arm;
     SetArguments({{"part", part}}, &request);

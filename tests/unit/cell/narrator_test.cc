@@ -102,6 +102,21 @@ TEST(Narrator, PrintsTheConfidenceInAnActionOnRequestOnly) {
               HasSubstr("by hand, confidence 0.88"));
 }
 
+TEST(Narrator, SaysWhatAnUnknownManipulationHasTaught) {
+  recognised_action_t action{};
+  action.kind = recognised_action_t::UNKNOWN;
+  action.part = "bolt";
+  Narrator narrator;
+  EXPECT_THAT(narrator.Describe(MessageOf("ACTION", action)),
+              ElementsAre(AllOf(HasSubstr("an unknown manipulation of bolt"),
+                                testing::Not(HasSubstr("learned")))));
+  action.name = "Action1";
+  action.arguments = {"bolt", "hole"};
+  action.num_arguments = 2;
+  EXPECT_THAT(narrator.Describe(MessageOf("ACTION", action)),
+              ElementsAre(HasSubstr("learned as Action1(bolt, hole)")));
+}
+
 TEST(Narrator, PrintsTheFormulaOfAQuestionOnRequestOnly) {
   execution_t execution{};
   execution.state = execution_t::STUCK;

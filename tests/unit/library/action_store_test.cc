@@ -11,11 +11,13 @@
 #include <memory>
 #include <sstream>
 
+#include "services/library/content_json.h"
 #include "services/library/memory_action_store.h"
 #include "services/library/record_json.h"
 #include "services/library/sqlite_action_store.h"
 #include "services/library/sqlite_schema.h"
 #include "tests/test_folder.h"
+#include "tests/unit/library/some_experiences.h"
 
 namespace cell {
 
@@ -178,10 +180,10 @@ TEST_P(Contract, KeepsWhatItHeldBeforeEachChange) {
   EXPECT_EQ(store_->Changes()[1].what, "run 2");
   EXPECT_EQ(store_->ChangeOf(id)->what, "run 1");
   EXPECT_EQ(store_->ChangeOf(1), std::nullopt);
-  ASSERT_EQ(store_->ContentBefore(1)->size(), 1u);
-  EXPECT_EQ(store_->ContentBefore(1)->front().name, "Insert");
-  EXPECT_EQ(store_->ContentBefore(2)->size(), 2u);
-  EXPECT_EQ(store_->ContentBefore(3), std::nullopt);
+  ASSERT_EQ(store_->ContentBefore(1)->actions.size(), 1u);
+  EXPECT_EQ(store_->ContentBefore(1)->actions.front().name, "Insert");
+  EXPECT_EQ(store_->ContentBefore(2)->actions.size(), 2u);
+  EXPECT_FALSE(store_->ContentBefore(3));
 }
 
 TEST_P(Contract, KeepsTheLastChangesOnly) {
@@ -201,13 +203,201 @@ TEST_P(Contract, TellsWhatWasThereBeforeTheRun) {
   next.version = 2;
   store_->Store({&next, 1}, 4);
   StoreOne(*store_, "Remove", 5);
-  ASSERT_EQ(store_->BeforeRun().size(), 1u);
-  EXPECT_EQ(store_->BeforeRun()[0].version, 1);
+  ASSERT_EQ(store_->BeforeRun().actions.size(), 1u);
+  EXPECT_EQ(store_->BeforeRun().actions[0].version, 1);
   store_->BeginRun();
-  EXPECT_EQ(store_->BeforeRun(), store_->All());
+  EXPECT_EQ(store_->BeforeRun().actions, store_->All());
+}
+
+std::vector<std::string> ExperiencesIn(
+    const std::vector<ExperienceRecord>& experiences) {
+  std::vector<std::string> texts;
+  for (const ExperienceRecord& experience : experiences) {
+    texts.push_back(std::to_string(experience.id) + " " + experience.action);
+  }
+  return texts;
+}
+
+TEST_P(Contract, KeepsExperiencesAsTheyWereInTheOrderOfStoring) {
+  EXPECT_EQ(store_->NumExperiences(), 0);
+  ExperienceRecord first = Tried("Nobody's", 3);
+  first.id = 88;  // does not count
+  EXPECT_EQ(store_->Keep(first, 1), 1);
+  EXPECT_EQ(store_->Keep(first, 1), 2);  // the same again
+  EXPECT_EQ(store_->Keep(Tried("B"), 2), 3);
+  first.id = 1;
+  EXPECT_EQ(store_->Experiences().front(), first);
+  EXPECT_THAT(ExperiencesIn(store_->ExperiencesFrom(2, 1)),
+              ElementsAre("2 Nobody's"));
+  EXPECT_THAT(ExperiencesIn(store_->ExperiencesFrom(2, 100)),
+              ElementsAre("2 Nobody's", "3 B"));
+  EXPECT_EQ(store_->NumExperiences(), 3);
+  EXPECT_EQ(store_->Content().last_experience, 3);
+}
+
+TEST_P(Contract, AppliesAnEditAsAWholeOrNotAtAll) {
+  store_->Keep(Tried("A"), 1);
+  const StoreEdit no_such{.records = {Named("Insert")},
+                          .experiences = {Tried("B")},
+                          .removed_experiences = {1, 2}};
+  EXPECT_THROW(store_->Apply(no_such, 2), std::invalid_argument);
+  EXPECT_EQ(store_->Count(), 0);
+  EXPECT_THAT(ExperiencesIn(store_->Experiences()), ElementsAre("1 A"));
+  const StoreEdit edit{.records = {Named("Insert")},
+                       .experiences = {Tried("B"), Tried("C")},
+                       .removed_experiences = {1}};
+  const StoredIds ids = store_->Apply(edit, 2);
+  EXPECT_THAT(ids.records, ElementsAre(1));
+  EXPECT_THAT(ids.experiences, ElementsAre(2, 3));
+  EXPECT_THAT(ExperiencesIn(store_->Experiences()), ElementsAre("2 B", "3 C"));
+  EXPECT_EQ(store_->NumExperiences(), 2);
+  EXPECT_THROW(store_->Apply({.removed_experiences = {1}}, 3),
+               std::invalid_argument);
+}
+
+TEST_P(Contract, RollsBackExperiencesAndTheirRemoval) {
+  store_->Keep(Tried("Before"), kBeforeRun);
+  store_->Keep(Tried("In1"), 1);
+  store_->Apply({.removed_experiences = {1}}, 2);
+  store_->Keep(Tried("In3"), 3);
+  EXPECT_THAT(ExperiencesIn(store_->BeforeRun().experiences),
+              ElementsAre("1 Before"));
+  store_->RollBackTo(3);
+  EXPECT_THAT(ExperiencesIn(store_->Experiences()), ElementsAre("2 In1"));
+  store_->RollBackTo(2);
+  EXPECT_THAT(ExperiencesIn(store_->Experiences()),
+              ElementsAre("1 Before", "2 In1"));
+  EXPECT_EQ(store_->Keep(Tried("Other"), 4), 3);
+}
+
+TEST_P(Contract, ARunThatBeginsKeepsAllExperiencesAndRemovals) {
+  store_->Keep(Tried("A"), 400);
+  store_->Keep(Tried("B"), 500);
+  store_->Apply({.removed_experiences = {1}}, 600);
+  store_->BeginRun();
+  store_->Keep(Tried("C"), 20);
+  store_->RollBackTo(10);
+  EXPECT_THAT(ExperiencesIn(store_->Experiences()), ElementsAre("2 B"));
+  EXPECT_THAT(ExperiencesIn(store_->BeforeRun().experiences),
+              ElementsAre("2 B"));
+}
+
+TEST_P(Contract, KeepsTheExperiencesBeforeEachChange) {
+  store_->Keep(Tried("A"), kBeforeRun);
+  store_->BeginChange("run 1");
+  store_->Keep(Tried("B"), 3);
+  store_->BeginChange("take back");
+  store_->Apply({.removed_experiences = {1}}, kBeforeRun);
+  store_->BeginChange("run 2");
+  ASSERT_EQ(store_->Changes().size(), 3u);
+  EXPECT_THAT(ExperiencesIn(store_->ContentBefore(1)->experiences),
+              ElementsAre("1 A"));
+  EXPECT_THAT(ExperiencesIn(store_->ContentBefore(2)->experiences),
+              ElementsAre("1 A", "2 B"));
+  EXPECT_THAT(ExperiencesIn(store_->ContentBefore(3)->experiences),
+              ElementsAre("2 B"));
+}
+
+TEST_P(Contract, OfItsContentIsTheSameWithTheSameIds) {
+  for (const char* name : {"A", "B", "C"}) store_->Keep(Tried(name), 1);
+  store_->Apply({.removed_experiences = {1, 3}}, 2);
+  StoreOne(*store_, "Insert", 1);
+  ActionRecord next = Named("Insert");
+  next.version = 2;
+  store_->Store({&next, 1}, 3);
+  MemoryActionStore copy(store_->Content());
+  EXPECT_EQ(copy.All(), store_->All());
+  EXPECT_EQ(copy.Experiences(), store_->Experiences());
+  EXPECT_EQ(StoreOne(copy, "Remove", 4), StoreOne(*store_, "Remove", 4));
+  EXPECT_EQ(copy.Keep(Tried("D"), 4), store_->Keep(Tried("D"), 4));
 }
 
 using SqliteFile = StoreFile;
+
+TEST_F(SqliteFile, OfTheThirdSchemaHasNoExperiencesAndTakesThem) {
+  {
+    SQLite::Database database(file_.string(),
+                              SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    Migrate(database, LibrarySchema().first(3));
+    ActionRecord record = Named("Insert");
+    record.id = 1;
+    SQLite::Statement insert(
+        database, "INSERT INTO action VALUES (1, 'Insert', 1, ?, -1, 0)");
+    insert.bind(1, JsonOf(record));
+    insert.exec();
+  }
+  {
+    SqliteActionStore store(file_, Mode::kExisting);
+    EXPECT_THAT(NamesIn(store), ElementsAre("Insert"));
+    EXPECT_EQ(store.NumExperiences(), 0);
+    store.Keep(Tried("Insert"), 7);
+  }
+  const SqliteActionStore store(file_, Mode::kExisting);
+  EXPECT_THAT(ExperiencesIn(store.Content().experiences),
+              ElementsAre("1 Insert"));
+}
+
+TEST_F(SqliteFile, HasItsExperiencesInTheNextProcessWithTheirTicks) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    store.Keep(Tried("A"), 5);
+    store.Keep(Tried("B"), 6);
+    store.Apply({.removed_experiences = {1}}, 7);
+  }
+  SqliteActionStore store(file_, Mode::kExisting);
+  EXPECT_THAT(ExperiencesIn(store.Content().experiences), ElementsAre("2 B"));
+  store.RollBackTo(6);
+  EXPECT_THAT(ExperiencesIn(store.Content().experiences), ElementsAre("1 A"));
+}
+
+TEST_F(SqliteFile, ForgetsWhatWasRemovedBeforeTheLastChanges) {
+  SqliteActionStore store(file_, Mode::kCreate);
+  store.BeginChange("first");
+  store.Keep(Tried("A"), kBeforeRun);
+  store.Apply({.removed_experiences = {1}}, kBeforeRun);
+  const auto num_kept = [&] {
+    return store.ContentBefore(store.Changes().front().number)
+        ->experiences.size();
+  };
+  for (int64_t i = 0; i < ActionStore::kMaxChanges; ++i) {
+    store.BeginChange("change " + std::to_string(i));
+    store.Keep(Tried("B"), kBeforeRun);
+  }
+  EXPECT_EQ(num_kept(), 0u);
+  EXPECT_EQ(store.NumExperiences(), ActionStore::kMaxChanges);
+}
+
+TEST_F(SqliteFile, WithAnExperienceThatCannotBeReadNamesIt) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    store.Keep(Tried("A"), 0);
+  }
+  {
+    SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+    database.exec("UPDATE experience SET experience = '{\"id\": 1}'");
+  }
+  const SqliteActionStore store(file_, Mode::kExisting);
+  try {
+    store.Content();
+    FAIL() << "read it";
+  } catch (const StoreError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("library.db:experience 1.action: missing; "
+                                    "the file is damaged"));
+  }
+}
+
+/// A write that was cut short: the end of the file is missing.
+TEST_F(SqliteFile, ThatIsCutShortIsNamedWithTheFix) {
+  {
+    SqliteActionStore store(file_, Mode::kCreate);
+    for (int i = 0; i < 200; ++i) store.Keep(Tried("A", i), 0);
+  }
+  const std::string whole = Bytes();
+  for (const size_t size : {whole.size() / 2, whole.size() - 1000}) {
+    std::ofstream(file_, std::ios::binary) << whole.substr(0, size);
+    EXPECT_THAT(Complaint(), HasSubstr(file_.string() + ": is damaged"));
+  }
+}
 
 TEST_F(SqliteFile, IsReadAgainByTheNextProcessWithItsTicks) {
   {

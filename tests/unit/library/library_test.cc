@@ -6,9 +6,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <set>
 #include <sstream>
 
 #include "cell/answer_t.hpp"
+#include "cell/command_library_t.hpp"
 #include "cell/store_answer_t.hpp"
 #include "common/actions/action_model_writer.h"
 #include "common/bus/manifest.h"
@@ -20,6 +23,7 @@
 #include "services/library/memory_action_store.h"
 #include "tests/test_folder.h"
 #include "tests/unit/keeping_cell.h"
+#include "tests/unit/library/some_experiences.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -46,6 +50,8 @@ M DecodedAs(const Message& message) {
 struct Said {
   std::vector<store_answer_t> stored;
   std::vector<action_record_t> records;
+  std::vector<store_answer_t> kept;  // of experiences
+  std::vector<experience_t> experiences;
   std::vector<int64_t> digests;  // of the ticks
 };
 
@@ -58,7 +64,11 @@ Said RunCell(const Deployment& deployment,
     said.digests.push_back(TickMessage(bus.last_tick()).digest);
     for (const Message& message : bus.last_messages()) {
       if (message.channel == "STORED") {
-        said.stored.push_back(DecodedAs<store_answer_t>(message));
+        const auto answer = DecodedAs<store_answer_t>(message);
+        const bool is_of_action = answer.channel == "STORE_REQUEST";
+        (is_of_action ? said.stored : said.kept).push_back(answer);
+      } else if (message.channel == "EXPERIENCE") {
+        said.experiences.push_back(DecodedAs<experience_t>(message));
       } else if (message.channel == "ACTION_RECORD") {
         said.records.push_back(DecodedAs<action_record_t>(message));
       }
@@ -118,6 +128,40 @@ TEST(LibraryService, AnswersEveryRequestWithAnIdOrAReason) {
   EXPECT_GT(said.stored.size(), 100u);
 }
 
+std::vector<int64_t> ExperiencesPublishedIn(const Said& said, int32_t tick) {
+  std::vector<int64_t> ids;
+  for (const experience_t& experience : said.experiences) {
+    if (experience.header.tick == tick) ids.push_back(experience.id);
+  }
+  return ids;
+}
+
+TEST(LibraryService, KeepsExperiencesAndTellsThemWithTheirId) {
+  const Said said = RunCell(ShippedDeployment());
+  int64_t next_id = 1;
+  int num_refused = 0;
+  for (const store_answer_t& answer : said.kept) {
+    const int32_t asked = answer.header.tick - 1;
+    EXPECT_EQ(answer.channel, "EXPERIENCE_REQUEST");
+    EXPECT_EQ(answer.request_seq, asked - 5);
+    const auto published = ExperiencesPublishedIn(said, answer.header.tick);
+    if (asked % 10 == 4) {
+      EXPECT_EQ(answer.outcome, store_answer_t::INVALID);
+      EXPECT_EQ(answer.id, 0);
+      EXPECT_THAT(answer.reason,
+                  HasSubstr("after[0]: the task has no object 'nobody'"));
+      ++num_refused;
+    } else {
+      EXPECT_EQ(answer.outcome, store_answer_t::STORED) << answer.reason;
+      EXPECT_EQ(answer.id, next_id++);
+      EXPECT_EQ(published.front(), answer.id);
+    }
+  }
+  EXPECT_GT(num_refused, 10);
+  EXPECT_GT(next_id, 100);
+  EXPECT_EQ(said.experiences.front().header.utime, 5 * kTickUs);
+}
+
 TEST(LibraryService, DoesTheSameInEveryRun) {
   EXPECT_EQ(RunCell(ShippedDeployment()).digests,
             RunCell(ShippedDeployment()).digests);
@@ -145,6 +189,22 @@ TEST(LibraryService, HasAfterADeathExactlyWhatItStoredBefore) {
   ASSERT_EQ(names.size(), expected.size() + 1);
   EXPECT_EQ(names.back(), last);
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), names.begin()));
+}
+
+TEST(LibraryService, HasAfterADeathExactlyTheExperiencesItAnswered) {
+  const Said said = RunCell(ShippedDeployment(), {{"library", 50, 61}});
+  std::set<int64_t> answered;
+  for (const store_answer_t& answer : said.kept) {
+    if (answer.header.tick > 2 * keeping::kRequestPeriod) break;
+    if (answer.outcome == store_answer_t::STORED) answered.insert(answer.id);
+  }
+  // Asked for in tick 80, told one later: first the one that was just kept.
+  auto told = ExperiencesPublishedIn(said, 2 * keeping::kRequestPeriod + 1);
+  const int64_t fresh = told.front();
+  told.erase(told.begin());
+  answered.insert(fresh);
+  ASSERT_LE(static_cast<int64_t>(answered.size()), Library::kToldPerTick);
+  EXPECT_EQ(told, std::vector<int64_t>(answered.begin(), answered.end()));
 }
 
 /// An incarnation of the library, told in its first tick when the last one
@@ -178,6 +238,23 @@ class Incarnation {
     WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
     return Step({*MessageFromWire("STORE_REQUEST", std::move(bytes))});
   }
+  std::vector<Message> Keep(const ExperienceRecord& experience) {
+    Bytes bytes = Bus::Encode(ToMessage(experience));
+    WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
+    return Step({*MessageFromWire("EXPERIENCE_REQUEST", std::move(bytes))});
+  }
+  std::vector<Message> Edit(int8_t kind, const std::string& name,
+                            const std::string& other) {
+    command_library_t command{};
+    command.kind = kind;
+    command.name = name;
+    command.other = other;
+    command.deadline_utime = std::numeric_limits<int64_t>::max();
+    Bytes bytes = Bus::Encode(command);
+    WriteIdentity(tick_ - 1, 1, tick_ - 1, bytes);
+    return Step({*MessageFromWire("COMMAND_LIBRARY", std::move(bytes))});
+  }
+  std::vector<Message> Wait() { return Step({}); }
   std::vector<Message> Request(int64_t id) {
     library_request_t request{};
     request.id = id;
@@ -265,6 +342,94 @@ TEST(LibraryService, PublishesAllOnceToAnEpisodeThatItJoins) {
   EXPECT_EQ(library.Episode(episode_t::START).size(), 1u);
 }
 
+std::vector<experience_t> ExperiencesAmong(
+    const std::vector<Message>& messages) {
+  std::vector<experience_t> experiences;
+  for (const Message& message : messages) {
+    if (message.channel == "EXPERIENCE") {
+      experiences.push_back(DecodedAs<experience_t>(message));
+    }
+  }
+  return experiences;
+}
+
+TEST(LibraryService, TellsAllExperiencesInPortionsAsAnEpisodeStarts) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  constexpr int64_t kNum = 2 * Library::kToldPerTick + 5;
+  for (int64_t i = 0; i < kNum; ++i) store->Keep(Tried("New"), kBeforeRun);
+  Incarnation library(store, 0, -1);
+  std::vector<int64_t> ids;
+  auto said = library.Episode(episode_t::START);
+  for (int tick = 0; tick < 5; ++tick) {
+    const auto experiences = ExperiencesAmong(said);
+    EXPECT_LE(static_cast<int64_t>(experiences.size()), Library::kToldPerTick);
+    for (const experience_t& e : experiences) ids.push_back(e.id);
+    said = library.Wait();
+  }
+  ASSERT_EQ(static_cast<int64_t>(ids.size()), kNum);
+  EXPECT_TRUE(std::ranges::is_sorted(ids));
+  EXPECT_EQ(ids.back(), kNum);
+}
+
+TEST(LibraryService, TagsExperiencesWithTheDemonstration) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  Incarnation library(store, 0, -1);
+  library.Episode(episode_t::START);
+  library.Keep(Tried("New"));
+  // The name and the seed of the episode, here none and 0.
+  EXPECT_EQ(store->Experiences().front().demonstration, " 0");
+}
+
+TEST(LibraryService, DoesNotTellWhatIsOfARemovedActionOrOfOtherParts) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  ExperienceRecord strange = Tried("New");
+  strange.objects = {"thin_peg_1"};
+  store->Keep(strange, kBeforeRun);
+  store->Keep(Tried("Gone"), kBeforeRun);
+  store->Keep(Tried("New"), kBeforeRun);
+  Incarnation library(store, 0, -1);
+  library.Ask("Gone");
+  library.Edit(command_library_t::REMOVE, "Gone", "");
+  const auto told = ExperiencesAmong(library.Request(0));
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].id, 3);
+  EXPECT_EQ(store->NumExperiences(), 3);
+}
+
+TEST(LibraryService, TellsWhatARenamedActionsExperiencesAreNow) {
+  const auto store = std::make_shared<MemoryActionStore>();
+  Incarnation library(store, 0, -1);
+  library.Ask("One");
+  library.Keep(Tried("One"));
+  const auto told =
+      ExperiencesAmong(library.Edit(command_library_t::RENAME, "One", "Two"));
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0].id, 1);
+  EXPECT_EQ(told[0].action, "") << "it is gone";
+  EXPECT_EQ(told[1].id, 2);
+  EXPECT_EQ(told[1].action, "Two");
+  const auto back =
+      ExperiencesAmong(library.Edit(command_library_t::ROLL_BACK, "", ""));
+  ASSERT_EQ(back.size(), 1u) << "before the run there was none";
+  EXPECT_EQ(back[0].id, 2);
+  EXPECT_EQ(back[0].action, "");
+}
+
+TEST(LibraryService, RefusesExperiencesOfAnotherTaskAndNamesThePredicate) {
+  ExperienceRecord experience = Tried("New");
+  experience.before = {"DoorIsOpen(shaft)"};
+  const auto store = std::make_shared<MemoryActionStore>();
+  store->Keep(experience, kBeforeRun);
+  try {
+    Incarnation library(store, 0, -1);
+    FAIL() << "took it";
+  } catch (const StoreError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("experience 1: the task has no predicate "
+                                    "'DoorIsOpen'"));
+    EXPECT_THAT(e.what(), HasSubstr("name another --database"));
+  }
+}
+
 TEST(LibraryService, RefusesAStoreOfAnotherTaskAndSaysWhatToDo) {
   ActionRecord record = keeping::Good("OpenDoor");
   record.arguments[0].type = "cabin_door";
@@ -303,13 +468,13 @@ TEST_F(RecordedLibrary, IsReplayedFromItsContentAtTheStartThroughDeaths) {
   const ReplayResult replay = Repeat();
   EXPECT_EQ(replay.difference, std::nullopt);
   EXPECT_GT(replay.num_messages, 200);
-  EXPECT_EQ(ReadContent(dir_ / kStartContentName).size(), kNumOfTask);
+  EXPECT_EQ(ReadContent(dir_ / kStartContentName).actions.size(), kNumOfTask);
 }
 
 TEST_F(RecordedLibrary, DiffersIfAnotherContentIsPutInItsPlace) {
   RunCell(recorded_);
   auto content = ReadContent(dir_ / kStartContentName);
-  content.pop_back();
+  content.actions.pop_back();
   WriteContent(dir_ / kStartContentName, content);
   const ReplayResult replay = Repeat();
   ASSERT_TRUE(replay.difference);
@@ -327,8 +492,9 @@ TEST_F(RecordedLibrary, GoesOnInTheNextRunWithWhatItHasLearned) {
   }
   recorded_.run_dir = dir_ / "two";
   { EXPECT_EQ(OpenStore(recorded_, database)->All().size(), kNumOfTask + 1); }
-  EXPECT_EQ(ReadContent(dir_ / "one" / kStartContentName).size(), kNumOfTask);
-  EXPECT_EQ(ReadContent(dir_ / "two" / kStartContentName).size(),
+  EXPECT_EQ(ReadContent(dir_ / "one" / kStartContentName).actions.size(),
+            kNumOfTask);
+  EXPECT_EQ(ReadContent(dir_ / "two" / kStartContentName).actions.size(),
             kNumOfTask + 1);
 }
 

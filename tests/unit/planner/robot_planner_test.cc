@@ -6,11 +6,11 @@
 
 #include "cell/alert_t.hpp"
 #include "cell/answer_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/motion_permit_t.hpp"
 #include "cell/plan_t.hpp"
 #include "cell/sense_request_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "common/bus/stepper.h"
 #include "common/skills/skill_arguments.h"
 #include "services/planner/execution_messages.h"
@@ -153,7 +153,7 @@ class RobotPlanner : public testing::Test {
   std::vector<alert_t> alerts_;
   std::vector<answer_t> answers_;
   std::vector<execution_t> told_;
-  std::vector<skill_request_t> requests_;
+  std::vector<asked_skill_t> requests_;
   int32_t tick_ = 0;
   int32_t next_seq_ = 0;
 };
@@ -164,7 +164,7 @@ TEST_F(RobotPlanner, DoesTheWholeTask) {
   while (told_.empty() || told_.back().state != execution_t::DONE) {
     ASSERT_LT(tick_, 10'000);
     Run(100);
-    for (const skill_request_t& request : std::exchange(requests_, {})) {
+    for (const asked_skill_t& request : std::exchange(requests_, {})) {
       if (request.skill == "insert") {
         const std::string what = told_.back().action;
         for (const auto& action :

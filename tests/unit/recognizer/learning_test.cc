@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -54,6 +55,9 @@ class LearningTest : public testing::Test {
     return records;
   }
 
+  GenericSkill Hands() const {
+    return {task_.domain.vocabulary(), task_.geometries, task_.layout};
+  }
   static std::vector<ActionModel> WithoutSec(std::vector<ActionModel> models) {
     for (ActionModel& model : models) model.sec.reset();
     return models;
@@ -61,9 +65,7 @@ class LearningTest : public testing::Test {
 
   const ShippedTask task_;
   ActionModels actions_{task_.domain, task_.parts, WithoutSec(task_.actions)};
-  std::optional<Learning> learning_{
-      std::in_place, actions_,
-      GenericSkill(task_.domain.vocabulary(), task_.geometries, task_.layout)};
+  std::optional<Learning> learning_{std::in_place, actions_, Hands()};
   std::optional<Learning::Shown> shown_;  // at last
   Stage stage_{task_};
   Recognition recognition_{task_.scene_objects,
@@ -118,6 +120,42 @@ TEST_F(LearningTest, ArmsInsertWhatWasSeatedAtTheSiteThatAPredicateNames) {
   ASSERT_THAT(at_fixed, SizeIs(1));
   EXPECT_THAT(at_fixed[0].skill, HasSubstr("site: base.separator"));
   EXPECT_EQ(at_fixed[0].skill_settings, "insertion");
+}
+
+TEST_F(LearningTest, TellsTheObjectsInTheOrderOfTheRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Store();
+  ActionModel turned = actions_.models().back();
+  ASSERT_EQ(turned.action.name, "Action1");
+  std::ranges::reverse(turned.action.arguments);
+  turned.action.rules.clear();
+  turned.sec = *FitToArguments(*turned.sec, turned.action.arguments,
+                               task_.domain.vocabulary().types());
+  const ActionModels only_turned(task_.domain, task_.parts, {turned});
+  Learning learning(only_turned, Hands());
+  recognition_.SetObserver([&](const auto& manipulation, const auto&) {
+    shown_ = learning.OnManipulation(manipulation, "test 2", only_turned);
+  });
+  Seat("round_peg_2", "base.round_2");
+  ASSERT_TRUE(shown_);
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("base.round_2", "round_peg_2"));
+}
+
+TEST_F(LearningTest, WhatIsTakenBackTellsNoRecord) {
+  Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  EXPECT_FALSE(shown_);
+}
+
+TEST_F(LearningTest, WhatEndsAtNoSiteIsLeftToPeople) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));
+  EXPECT_EQ(records[0].skill, "");
+  EXPECT_EQ(records[0].skill_settings, "");
 }
 
 TEST_F(LearningTest, ANameMakesItTheModelOfTheAction) {
@@ -176,9 +214,7 @@ TEST_F(LearningTest, AsksOnceUntilTheLibraryHasAnswered) {
 TEST_F(LearningTest, ARestartGoesOnFromTheRecords) {
   Seat("round_peg_1", "base.round_1");
   Store();
-  learning_.emplace(
-      actions_,
-      GenericSkill(task_.domain.vocabulary(), task_.geometries, task_.layout));
+  learning_.emplace(actions_, Hands());
   Seat("round_peg_2", "base.round_2");
   EXPECT_THAT(Store(), IsEmpty());
   Seat("square_peg_2", "base.square_2");

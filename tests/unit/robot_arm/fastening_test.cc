@@ -6,8 +6,8 @@
 
 #include "cell/arm_report_t.hpp"
 #include "cell/arm_state_t.hpp"
+#include "cell/asked_skill_t.hpp"
 #include "cell/motion_permit_t.hpp"
-#include "cell/skill_request_t.hpp"
 #include "cell/skill_result_t.hpp"
 #include "cell/tracks_t.hpp"
 #include "common/bus/decode.h"
@@ -142,7 +142,7 @@ class ArmThatHoldsTheHead : public FasteningTest {
     }
   }
   void Ask(const std::string& skill, const SkillArguments& arguments) {
-    skill_request_t request{};
+    asked_skill_t request{};
     request.id = 7;
     request.deadline_utime = (tick_ + 100) * kTickUs;
     request.arm = "right";
