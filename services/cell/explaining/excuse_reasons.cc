@@ -121,7 +121,7 @@ Reasons QuestionReasons(const DecisionBasis& basis,
                         const planner::ExecutionStatus& question,
                         bool is_verbose) {
   Reasons lines = FailureReasons(basis);
-  if (question.step) {
+  if (question.step && basis.plan.result == Plan::Result::kFound) {
     AddFirstStep(basis, is_verbose, &lines);
     lines.emplace_back("this step is left to a person (help_steps)");
   } else if (HasNoPlan(basis.plan)) {
