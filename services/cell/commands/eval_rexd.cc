@@ -164,8 +164,8 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
       "objects "
       "and outcome; the first one of another kind is no repetition.\n"
       "Example: cell eval rexd --runs 300 --csv rexd.csv\n"
-      "Example: cell eval rexd --blocks lying_peg,separator_first,"
-      "other_face_plate --success 1,0.4 --csv blocks.csv\n"
+      "Example: cell eval rexd --blocks FIRST,SECOND "
+      "--success 1,0.4 --csv blocks.csv\n"
       "Example: cell eval rexd --ppddl domain.pddl --learn-in learn.pddl "
       "--test-on test_*.pddl --runs 10 --csv curve.csv");
   command->add_option("--deploy", options->deploy_dir,
