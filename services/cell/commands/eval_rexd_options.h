@@ -50,7 +50,7 @@ rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options);
 /// the task.
 /// @throws RuleError, std::runtime_error naming the file
 std::vector<rexd::RexdTask> LoadBlocks(const EvalRexdOptions& options);
-/// "lying_peg" of "learning/lying_peg.rules".
+/// "NAME" of "learning/NAME.rules".
 std::string NameOfBlock(const std::string& file);
 
 }  // namespace cell::cli
