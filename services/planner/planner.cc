@@ -186,7 +186,6 @@ void Planner::Keep(const TaskExperience& experience) {
       cell::ToMessage(experience, decision_maker_->rules().vocabulary());
   message.header.utime = bus_.now();
   bus_.Publish("EXPERIENCE_REQUEST", message);
-  static int64_t temp = 0;
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {
