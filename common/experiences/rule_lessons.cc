@@ -67,12 +67,35 @@ std::vector<std::vector<int>> BindingsOf(const rules::Rule& rule,
   return bindings;
 }
 
+/// True if the literal is about one argument, and its predicate has been both
+/// true and false of some object: what was never seen to change of an action's
+/// own objects may change nevertheless, as it does of others.
+bool ChangesOfOthers(const rules::Literal& literal,
+                     std::span<const Experience> experiences,
+                     const rules::World& world) {
+  if (literal.terms.size() != 1 || !NamesAnArgument(literal)) return false;
+  const int first = world.first(literal.symbol);
+  for (int i = 0; i < world.num_places(literal.symbol); ++i) {
+    bool is_ever_true = false, is_ever_false = false;
+    for (const Experience& e : experiences) {
+      for (const auto* state : {&e.before, &e.after}) {
+        const bool is_true = rules::World::Get(*state, first + i);
+        is_ever_true |= is_true;
+        is_ever_false |= !is_true;
+      }
+    }
+    if (is_ever_true && is_ever_false) return true;
+  }
+  return false;
+}
+
 /// True if the literal does not hold before some experience, for some objects
-/// of the action.
+/// of the action, or ChangesOfOthers().
 bool IsTelling(const rules::Literal& literal,
                const std::vector<std::vector<int>>& bindings,
                std::span<const Experience> experiences,
                const rules::World& world) {
+  if (ChangesOfOthers(literal, experiences, world)) return true;
   return std::ranges::any_of(experiences, [&](const Experience& e) {
     return std::ranges::any_of(bindings, [&](const auto& binding) {
       return !rules::Holds(literal, binding, e.before, world) ||

@@ -25,7 +25,8 @@ inline constexpr int kManySuccesses = 12;
 
 /// Makes the rule as special as the experiences that it covers and in which it
 /// changed something: adds the literals that held before each of them (one in
-/// twenty may have been sensed wrongly), and that do not hold always. A few
+/// twenty may have been sensed wrongly), and that do not hold always: of these
+/// objects, or, if they are about one object, of any other. A few
 /// experiences make a rule that is safe, and each further one can only make it
 /// more general. So that no accident of how the other parts lie becomes a
 /// condition, literals that name no argument of the action are added to rules

@@ -2,25 +2,24 @@
 
 #include <algorithm>
 
+#include "common/relational/reference_binding.h"
+
 namespace cell {
 namespace {
 
-/// Binds the rule's references one by one. False if one is not unique.
-bool BindReferences(const NdrRule& rule, const State& state,
-                    const Vocabulary& vocabulary, Binding& binding) {
-  for (const DeicticReference& reference : rule.references) {
-    std::optional<int> found;
-    binding.push_back(0);
-    for (const int object : vocabulary.ObjectsOf(reference.variable.type)) {
-      binding.back() = object;
-      if (!MayHold(reference.literals, binding, state, vocabulary)) continue;
-      if (found) return false;
-      found = object;
-    }
-    if (!found) return false;
-    binding.back() = *found;
+/// The one object that the reference may stand for; nullopt if there is none,
+/// or a second.
+std::optional<int> ObjectOf(const DeicticReference& reference, Binding binding,
+                            const State& state, const Vocabulary& vocabulary) {
+  std::optional<int> found;
+  binding.push_back(0);
+  for (const int object : vocabulary.ObjectsOf(reference.variable.type)) {
+    binding.back() = object;
+    if (!MayHold(reference.literals, binding, state, vocabulary)) continue;
+    if (found) return std::nullopt;
+    found = object;
   }
-  return true;
+  return found;
 }
 
 void BindEach(const Effect& effect, size_t next, Binding& binding,
@@ -50,6 +49,18 @@ bool Action::TakesArgumentsOf(const Action& other) const {
                             &Variable::type);
 }
 
+std::optional<size_t> BindReferences(const NdrRule& rule, const State& state,
+                                     const Vocabulary& vocabulary,
+                                     Binding* binding) {
+  for (size_t i = 0; i < rule.references.size(); ++i) {
+    const auto object =
+        ObjectOf(rule.references[i], *binding, state, vocabulary);
+    if (!object) return i;
+    binding->push_back(*object);
+  }
+  return std::nullopt;
+}
+
 std::vector<ApplicableRule> ApplicableRules(const Action& action,
                                             const Binding& arguments,
                                             const State& state,
@@ -60,7 +71,7 @@ std::vector<ApplicableRule> ApplicableRules(const Action& action,
     const NdrRule& rule = action.rules[i];
     if (!rule.IsFor(agent)) continue;
     Binding binding = arguments;
-    if (BindReferences(rule, state, vocabulary, binding) &&
+    if (!BindReferences(rule, state, vocabulary, &binding) &&
         MayHold(rule.context, binding, state, vocabulary)) {
       applicable.push_back({static_cast<int>(i), std::move(binding)});
     }

@@ -7,12 +7,18 @@ namespace cell::rexd {
 using namespace rules;
 
 DangerousActs::DangerousActs(const RexdTask& task)
-    : task_(task), dead_ends_(task) {}
+    : task_(&task), dead_ends_(task) {}
+
+void DangerousActs::SetTask(const RexdTask& task) {
+  task_ = &task;
+  episode_.clear();
+  dead_ends_ = DeadEndMemory(task);
+}
 
 DangerousActs::Effect DangerousActs::EffectOf(
     const Experience& experience) const {
   Effect effect;
-  const World& world = *task_.world;
+  const World& world = *task_->world;
   const auto code_of = [&](int object) {
     const auto& arguments = experience.act.arguments;
     const auto it = std::ranges::find(arguments, object);
@@ -36,7 +42,7 @@ DangerousActs::Effect DangerousActs::EffectOf(
 
 WorldState DangerousActs::Transfer(const Effect& effect, const GroundAct& act,
                                    WorldState state) const {
-  const World& world = *task_.world;
+  const World& world = *task_->world;
   for (const auto& [symbol, is_true, codes] : effect) {
     std::vector<int> objects;
     for (const int code : codes) {
@@ -61,7 +67,7 @@ void DangerousActs::Observe(const Experience& experience,
   }
   if (is_demonstrated) MarkEpisodeAlive();
   episode_.push_back(experience.after);
-  if (task_.IsGoal(experience.after)) MarkEpisodeAlive();
+  if (task_->IsGoal(experience.after)) MarkEpisodeAlive();
   if (experience.before != experience.after) {
     effects_[experience.act.action].insert(EffectOf(experience));
   }

@@ -18,6 +18,11 @@ class DangerousActs {
   /// @param task  must outlive this
   explicit DangerousActs(const RexdTask& task);
 
+  /// Goes on in another task of the same world. What actions do is remembered;
+  /// dead ends are those of a goal and are forgotten.
+  /// @param task  must outlive this
+  void SetTask(const RexdTask& task);
+
   /// An experience that does not begin where the last one has ended begins an
   /// episode.
   /// @param is_demonstrated  by the teacher, which shows something only where
@@ -43,7 +48,7 @@ class DangerousActs {
   rules::WorldState Transfer(const Effect& effect, const rules::GroundAct& act,
                              rules::WorldState state) const;
 
-  const RexdTask& task_;
+  const RexdTask* task_;
   std::map<int, std::set<Effect>> effects_;  // by action
   std::vector<rules::WorldState> episode_;   // not known to be alive yet
   DeadEndMemory dead_ends_;

@@ -16,10 +16,10 @@ std::vector<int> ObjectsOf(const Literal& literal) {
 
 }  // namespace
 
-DeadEndMemory::DeadEndMemory(const RexdTask& task) : task_(task) {}
+DeadEndMemory::DeadEndMemory(const RexdTask& task) : task_(&task) {}
 
 DeadEndMemory::Facts DeadEndMemory::FactsOf(const WorldState& state) const {
-  const World& world = *task_.world;
+  const World& world = *task_->world;
   Facts facts;
   for (size_t s = 0; s < world.symbols().all().size(); ++s) {
     const int symbol = static_cast<int>(s);
@@ -27,13 +27,13 @@ DeadEndMemory::Facts DeadEndMemory::FactsOf(const WorldState& state) const {
     for (int i = 0; i < world.num_places(symbol); ++i) {
       const int place = world.first(symbol) + i;
       const bool holds = World::Get(state, place);
-      if (!holds && !World::Get(task_.initial, place)) continue;
+      if (!holds && !World::Get(task_->initial, place)) continue;
       const FactKind kind = holds ? FactKind::kHolds : FactKind::kUndone;
       facts[{kind, symbol}].push_back(
           {kind, symbol, world.ObjectsAt(symbol, place)});
     }
   }
-  for (const Literal& literal : task_.goal) {
+  for (const Literal& literal : task_->goal) {
     if (Holds(literal, {}, state, world)) continue;
     facts[{FactKind::kMissing, literal.symbol}].push_back(
         {FactKind::kMissing, literal.symbol, ObjectsOf(literal)});
@@ -44,10 +44,10 @@ DeadEndMemory::Facts DeadEndMemory::FactsOf(const WorldState& state) const {
 /// What is sure to hold at the goal.
 DeadEndMemory::Facts DeadEndMemory::FactsOfGoal() const {
   Facts facts;
-  for (const Literal& literal : task_.goal) {
+  for (const Literal& literal : task_->goal) {
     const bool holds = literal.comparison == Comparison::kTrue;
     const FactKind kind = holds ? FactKind::kHolds : FactKind::kUndone;
-    const bool was_there = Holds(literal, {}, task_.initial, *task_.world);
+    const bool was_there = Holds(literal, {}, task_->initial, *task_->world);
     if (!holds && was_there) continue;
     facts[{kind, literal.symbol}].push_back(
         {kind, literal.symbol, ObjectsOf(literal)});
@@ -67,7 +67,7 @@ bool DeadEndMemory::MatchesFrom(const Nogood& nogood, size_t next,
     bool is_equal = true;
     for (size_t i = 0; i < wanted.objects.size() && is_equal; ++i) {
       const int object = wanted.objects[i];
-      is_equal = object < task_.world->num_objects()
+      is_equal = object < task_->world->num_objects()
                      ? object == fact.objects[i]
                      : bound.emplace(object, fact.objects[i]).first->second ==
                            fact.objects[i];
@@ -90,7 +90,7 @@ bool DeadEndMemory::IsRefuted(const Nogood& nogood) const {
 }
 
 void DeadEndMemory::FindNogoods(DeadEnd* dead_end) const {
-  const World& world = *task_.world;
+  const World& world = *task_->world;
   const auto lift = [&](Nogood nogood) {
     for (Fact& fact : nogood) {
       for (int& object : fact.objects) {
@@ -144,7 +144,7 @@ bool DeadEndMemory::LooksDead(const WorldState& state) const {
 }
 
 std::string DeadEndMemory::Show(const Nogood& nogood) const {
-  const World& world = *task_.world;
+  const World& world = *task_->world;
   constexpr const char* kWords[] = {"", "no longer ", "missing "};
   std::map<int, std::string> names;
   std::string text;

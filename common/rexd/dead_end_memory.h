@@ -65,7 +65,7 @@ class DeadEndMemory {
   std::string Show(const Nogood& nogood) const;
   void FindNogoods(DeadEnd* dead_end) const;
 
-  const RexdTask& task_;
+  const RexdTask* task_;
   std::set<std::vector<uint64_t>> alive_;
   std::vector<Facts> alive_facts_;
   std::vector<DeadEnd> dead_ends_;

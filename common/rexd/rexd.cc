@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "common/rexd/rule_alternatives.h"
@@ -11,16 +12,28 @@ namespace cell::rexd {
 using namespace rules;
 
 RexD::RexD(const RexdTask& task, const Params& params)
-    : task_(task),
+    : task_(&task),
       params_(params),
       learner_(task.world, params.learner),
       rules_{task.world->shared_symbols(), {}},
       random_(params.seed),
       dangers_(task) {}
 
+void RexD::SetTask(const RexdTask& task) {
+  if (task.world != task_->world) {
+    throw std::invalid_argument("the next task is of another world");
+  }
+  task_ = &task;
+  dangers_.SetTask(task);
+  last_.reset();
+  shown_in_vain_.reset();
+  failures_ = {};
+  num_alternatives_ = 0;
+}
+
 std::vector<GroundAct> RexD::KnownActs() const {
   std::vector<GroundAct> acts;
-  for (GroundAct& act : GroundActs(*task_.world, task_.initial)) {
+  for (GroundAct& act : GroundActs(*task_->world, task_->initial)) {
     if (actions_.contains(act.action)) acts.push_back(std::move(act));
   }
   return acts;
@@ -28,11 +41,11 @@ std::vector<GroundAct> RexD::KnownActs() const {
 
 double RexD::ChangeProbability(const GroundAct& act,
                                const WorldState& state) const {
-  const auto coverage = FindCoverage(rules_, act, state, *task_.world);
+  const auto coverage = FindCoverage(rules_, act, state, *task_->world);
   if (!coverage) return 0;
   double p = coverage->rule->noise;
   for (const Outcome& outcome : coverage->rule->outcomes) {
-    if (Apply(outcome, coverage->binding, state, *task_.world) != state) {
+    if (Apply(outcome, coverage->binding, state, *task_->world) != state) {
       p += outcome.probability;
     }
   }
@@ -42,11 +55,11 @@ double RexD::ChangeProbability(const GroundAct& act,
 }
 
 bool RexD::IsNoOp(const GroundAct& act, const WorldState& state) const {
-  const auto coverage = FindCoverage(rules_, act, state, *task_.world);
+  const auto coverage = FindCoverage(rules_, act, state, *task_->world);
   if (!coverage || coverage->rule->noise > 0) return false;
   return std::ranges::all_of(
       coverage->rule->outcomes, [&](const Outcome& outcome) {
-        return Apply(outcome, coverage->binding, state, *task_.world) == state;
+        return Apply(outcome, coverage->binding, state, *task_->world) == state;
       });
 }
 
@@ -54,7 +67,7 @@ std::optional<GroundAct> RexD::LeastTried(const WorldState& state) {
   std::vector<GroundAct> least;
   int least_count = params_.known_count;
   for (const GroundAct& act : KnownActs()) {
-    const auto coverage = FindCoverage(rules_, act, state, *task_.world);
+    const auto coverage = FindCoverage(rules_, act, state, *task_->world);
     if (!coverage || dangers_.IsDangerous(act, state)) continue;
     const int count =
         counts_[static_cast<size_t>(coverage->rule - rules_.rules.data())];
@@ -96,11 +109,11 @@ std::optional<GroundAct> RexD::PlanBy(const NdrRules& rules,
 }
 
 std::optional<GroundAct> RexD::Plan(const WorldState& state) {
-  return PlanBy(rules_, task_, state);
+  return PlanBy(rules_, *task_, state);
 }
 
 std::shared_ptr<RuleModel> RexD::Model() const {
-  return std::make_shared<RuleModel>(rules_, task_, KnownActs());
+  return std::make_shared<RuleModel>(rules_, *task_, KnownActs());
 }
 
 std::optional<GroundAct> RexD::DoWithoutPlan(const WorldState& state,
@@ -108,16 +121,16 @@ std::optional<GroundAct> RexD::DoWithoutPlan(const WorldState& state,
   constexpr size_t kMaxPlans = 30;
   if (num_alternatives_ < params_.max_alternatives) {
     const auto alternatives =
-        RuleAlternatives(rules_, *task_.world, state, guidance, experiences_);
+        RuleAlternatives(rules_, *task_->world, state, guidance, experiences_);
     for (size_t i = 0; i < std::min(alternatives.size(), kMaxPlans); ++i) {
-      const auto act = PlanBy(alternatives[i], task_, state);
-      if (!act) continue;
+      const auto act = PlanBy(alternatives[i], *task_, state);
+      if (!act || HasFailedTooOften(*act, state)) continue;
       ++num_alternatives_;
       return act;
     }
   }
   if (!params_.uses_subgoals || guidance.subgoals.empty()) return std::nullopt;
-  RexdTask meanwhile = task_;
+  RexdTask meanwhile = *task_;
   meanwhile.goal = guidance.subgoals;
   const auto act = PlanBy(rules_, meanwhile, state);
   if (act && HasFailedTooOften(*act, state)) return std::nullopt;
@@ -148,7 +161,7 @@ Decision RexD::Decide(const WorldState& state) {
   const bool is_stuck = act && HasFailedTooOften(*act, state);
   if (act && !is_stuck) return {Decision::Kind::kExploit, *act, {}};
   if (is_stuck) return {Decision::Kind::kAsk, {}, {}};
-  const Guidance guidance = FindGuidance(rules_, task_, state, KnownActs());
+  const Guidance guidance = FindGuidance(rules_, *task_, state, KnownActs());
   if (const auto other = DoWithoutPlan(state, guidance)) {
     return {Decision::Kind::kExploit, *other, {}};
   }
@@ -161,7 +174,10 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
     num_alternatives_ = 0;
     shown_in_vain_ = experience.act;
   }
-  if (experience.before != experience.after) shown_in_vain_.reset();
+  if (experience.before != experience.after) {
+    shown_in_vain_.reset();
+    num_alternatives_ = 0;
+  }
   const bool is_repeated = last_ && failures_.number > 0 &&
                            last_->act == experience.act &&
                            last_->before == experience.before;
@@ -182,7 +198,7 @@ void RexD::Observe(const Experience& experience, bool is_demonstrated) {
 }
 
 AgentRules RexD::RobotRules() const {
-  return WithRatesOf(robot_experiences_, rules_, *task_.world);
+  return WithRatesOf(robot_experiences_, rules_, *task_->world);
 }
 
 void RexD::RememberDeadEnd() {

@@ -51,7 +51,14 @@ class RexD {
     uint64_t seed = 1;
   };
 
+  /// @param task  must outlive this
   RexD(const RexdTask& task, const Params& params);
+
+  /// Goes on in another task of the same world with all that was learned; only
+  /// dead ends, which are those of a goal, are forgotten.
+  /// @param task  must outlive this
+  /// @throws std::invalid_argument if its world is another one
+  void SetTask(const RexdTask& task);
 
   Decision Decide(const rules::WorldState& state);
   /// @param is_demonstrated  whether the teacher did it
@@ -100,7 +107,7 @@ class RexD {
   bool IsNoOp(const rules::GroundAct& act,
               const rules::WorldState& state) const;
 
-  const RexdTask& task_;
+  const RexdTask* task_;
   Params params_;
   rules::Learner learner_;
   rules::NdrRules rules_;
@@ -114,7 +121,7 @@ class RexD {
   std::optional<rules::GroundAct> shown_in_vain_;
   int num_repetitions_ = 0;
   DangerousActs dangers_;
-  int num_alternatives_ = 0;  // tried since the last demonstration
+  int num_alternatives_ = 0;  // tried in this state since one was shown
 };
 
 }  // namespace cell::rexd

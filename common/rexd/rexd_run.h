@@ -40,4 +40,12 @@ std::vector<EpisodeCounts> RunRexd(const RexdTask& task,
                                    const RunParams& params,
                                    FrozenScore* frozen = nullptr);
 
+/// Learns several tasks of one world from nothing, `num_episodes` episodes of
+/// each, one after the other: what was learned in one is known in the next.
+/// @return the episodes of each task
+/// @throws std::invalid_argument if the tasks' worlds differ, or if there is
+///     none
+std::vector<std::vector<EpisodeCounts>> RunRexdInTurn(
+    const std::vector<RexdTask>& tasks, const RunParams& params);
+
 }  // namespace cell::rexd

@@ -13,10 +13,10 @@ namespace cell::rexd {
 using namespace rules;
 namespace {
 
-/// The goal's literals: "on(a b) -clear(a)".
-std::vector<Literal> ReadGoal(const std::string& text, const Place& place,
-                              const World& world) {
-  std::vector<Literal> goal;
+/// Ground literals: "on(a b) -clear(a)".
+std::vector<Literal> ReadLiterals(const std::string& text, const Place& place,
+                                  const World& world) {
+  std::vector<Literal> literals;
   TokenReader in(text, place);
   while (!in.AtEnd()) {
     Literal literal;
@@ -43,10 +43,52 @@ std::vector<Literal> ReadGoal(const std::string& text, const Place& place,
                           world.symbols()[*symbol].arity,
                           literal.terms.size()));
     }
-    goal.push_back(std::move(literal));
+    literals.push_back(std::move(literal));
   }
-  if (goal.empty()) in.Fail("the goal is empty");
+  return literals;
+}
+
+std::vector<Literal> ReadGoal(const TextLine& line, const World& world) {
+  std::vector<Literal> goal = ReadLiterals(line.text, line.place, world);
+  if (goal.empty()) line.place.Fail("the goal is empty");
   return goal;
+}
+
+/// Makes the literals true in the state. @throws RuleError naming one that is
+/// derived from others
+void Change(const TextLine& line, const World& world, WorldState* state) {
+  for (const Literal& literal : ReadLiterals(line.text, line.place, world)) {
+    const Symbol& symbol = world.symbols()[literal.symbol];
+    if (!symbol.is_primitive_predicate()) {
+      line.place.Fail("'" + symbol.name + "' follows from others");
+    }
+    std::vector<int> objects;
+    for (const Term& term : literal.terms) objects.push_back(term.index);
+    World::Set(state, world.PlaceOf(literal.symbol, objects),
+               literal.comparison == Comparison::kTrue);
+  }
+  world.Derive(state);
+}
+
+/// Moves the lines that begin with one of the keys and a colon out of the text;
+/// empty lines stay in their places.
+std::map<std::string, TextLine> TakeSections(
+    const std::string& text, const std::string& file,
+    const std::vector<std::string>& keys, std::string* rest) {
+  std::map<std::string, TextLine> sections;
+  for (TextLine& line : SplitLines(text, file)) {
+    const size_t colon = line.text.find(':');
+    const std::string key = line.text.substr(0, colon);
+    const bool is_section = colon != std::string::npos &&
+                            std::ranges::find(keys, key) != keys.end();
+    *rest += is_section ? "\n" : line.text + "\n";
+    if (!is_section) continue;
+    line.text = line.text.substr(colon + 1);
+    if (!sections.emplace(key, line).second) {
+      line.place.Fail("'" + key + ":' is there twice");
+    }
+  }
+  return sections;
 }
 
 std::vector<std::string> ReadObjects(const TextLine& line) {
@@ -70,24 +112,14 @@ bool RexdTask::IsGoal(const WorldState& state) const {
 }
 
 RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
-  std::map<std::string, TextLine> sections;
   std::string rest;
-  for (TextLine& line : SplitLines(text, file)) {
+  const std::map<std::string, TextLine> sections =
+      TakeSections(text, file, {"objects", "start", "goal"}, &rest);
+  for (const TextLine& line : SplitLines(rest, file)) {
     const size_t begin = line.text.find_first_not_of(" \t");
     if (begin != std::string::npos &&
         line.text.compare(begin, 5, "each ") == 0) {
       line.place.Fail("the rules of a task have no effects for each object");
-    }
-    const size_t colon = line.text.find(':');
-    const std::string key = line.text.substr(0, colon);
-    const bool is_section =
-        colon != std::string::npos &&
-        (key == "objects" || key == "start" || key == "goal");
-    rest += is_section ? "\n" : line.text + "\n";
-    if (!is_section) continue;
-    line.text = line.text.substr(colon + 1);
-    if (!sections.emplace(key, line).second) {
-      line.place.Fail("'" + key + ":' is there twice");
     }
   }
   for (const char* key : {"objects", "start", "goal"}) {
@@ -98,14 +130,32 @@ RexdTask ParseRexdTask(const std::string& text, const std::string& file) {
   RexdTask task;
   task.truth = ParseRules(rest, file);
   task.world = std::make_shared<World>(task.truth.symbols,
-                                       ReadObjects(sections["objects"]));
-  const TextLine& start = sections["start"];
+                                       ReadObjects(sections.at("objects")));
+  const TextLine& start = sections.at("start");
   task.initial = ParseState(start.text, file, start.place.line, *task.world);
   std::ranges::fill(task.initial.is_present, 1);
   task.world->Derive(&task.initial);
-  task.goal =
-      ReadGoal(sections["goal"].text, sections["goal"].place, *task.world);
+  task.goal = ReadGoal(sections.at("goal"), *task.world);
   return task;
+}
+
+RexdTask ParseChangedTask(const RexdTask& task, const std::string& text,
+                          const std::string& file) {
+  std::string rest;
+  const std::map<std::string, TextLine> sections =
+      TakeSections(text, file, {"changes", "goal"}, &rest);
+  for (const TextLine& line : SplitLines(rest, file)) {
+    if (line.text.find_first_not_of(" \t") == std::string::npos) continue;
+    line.place.Fail("expected 'changes: ...' or 'goal: ...'");
+  }
+  RexdTask changed = task;
+  if (const auto it = sections.find("changes"); it != sections.end()) {
+    Change(it->second, *task.world, &changed.initial);
+  }
+  if (const auto it = sections.find("goal"); it != sections.end()) {
+    changed.goal = ReadGoal(it->second, *task.world);
+  }
+  return changed;
 }
 
 RexdTask WithoutPredicate(const RexdTask& task, const std::string& predicate) {

@@ -34,6 +34,16 @@ struct RexdTask {
 /// @throws RuleError "file:line: ..."
 RexdTask ParseRexdTask(const std::string& text, const std::string& file);
 
+/// A task that differs from another one of the same world, and can be learned
+/// after it. Lines of the text, each of which may be missing:
+///
+///   changes: broken(b) -on(a b)    what is otherwise at the start
+///   goal: on(b a)                  in place of the other task's
+///
+/// @throws RuleError "file:line: ..."
+RexdTask ParseChangedTask(const RexdTask& task, const std::string& text,
+                          const std::string& file);
+
 /// The task when its learner is not told of a predicate: it stands in no state.
 /// @throws RuleError if there is no such predicate, or if a rule or the goal
 /// speaks of it

@@ -23,15 +23,19 @@ void AddTrueLiterals(const Rule& rule, const std::vector<int>& binding,
     if (!is_there) all->push_back(*literal);
     return;
   }
-  for (int i = 0; i < rule.num_variables(); ++i) {
-    literal->terms.push_back({Term::Kind::kVariable, i});
+  const auto add_with = [&](const Term& term) {
+    literal->terms.push_back(term);
     AddTrueLiterals(rule, binding, state, world, literal, all);
     literal->terms.pop_back();
+  };
+  for (int i = 0; i < rule.num_variables(); ++i) {
+    add_with({Term::Kind::kVariable, i});
   }
+  add_with({Term::Kind::kAny, 0});
 }
 
-/// Plain literals over the rule's variables that hold in the state; what is
-/// true before what is not.
+/// Literals over the rule's variables, or of any object, that hold in the
+/// state; what is true before what is not.
 std::vector<Literal> TrueLiterals(const Rule& rule,
                                   const std::vector<int>& binding,
                                   const WorldState& state, const World& world) {

@@ -20,6 +20,10 @@ class CurrentPlan {
   const std::shared_ptr<const RuleSet>& shared_rules() const { return rules_; }
   /// As if nothing had failed yet.
   Problem problem() const { return {rules_, goal_, Agent::kRobot}; }
+  const std::set<GroundAction>& blocked() const { return blocked_; }
+  const SolverMaker& make_solver() const { return make_solver_; }
+  /// That the plan is for; nullopt if none was found yet.
+  const std::optional<State>& state() const { return state_; }
   void SetGoal(Goal goal);
   void SetRules(std::shared_ptr<const RuleSet> rules);
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "services/planner/arm_states.h"
+#include "services/planner/decision_basis.h"
 #include "services/planner/decisions.h"
 #include "services/planner/observations.h"
 #include "services/planner/solver.h"
@@ -36,6 +38,9 @@ class DecisionState {
   /// True if an episode with a replaceable goal runs.
   virtual bool HasGoal() const { return false; }
   virtual Decisions SetGoal(const Goal&) { return {}; }
+
+  /// What is decided by at present; nullopt if nothing was planned.
+  virtual std::optional<DecisionBasis> Basis() const { return std::nullopt; }
 
   /// Once a tick, after all inputs.
   virtual Decisions Decide(Instant) { return {}; }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/experiences/task_experience.h"
 #include "services/planner/execution_status.h"
+#include "services/planner/judgement.h"
 #include "services/planner/plan.h"
 #include "services/planner/skill_request.h"
 
@@ -30,6 +32,8 @@ struct Alert {
   Cause cause;
   int64_t utime = 0;  ///< [us] of the action, or of now
   std::string text;
+  /// What it stands on, if it is about an action.
+  std::shared_ptr<const Judgement> judgement = {};
 };
 
 /// What follows from an input or a moment: to be published, in this order.

@@ -56,17 +56,21 @@ State Flipped(State state, const std::vector<int>& atoms) {
   return state;
 }
 
-/// Constant atoms that keep some action from being possible, without those of
-/// the goal itself: assuming the goal would explain nothing.
-std::vector<int> Obstacles(const StateSpace& space, int state,
-                           const Goal& goal) {
+/// Constant atoms that keep some action from being possible. Those of the
+/// goal's predicates only if asked for, and only what is true: assuming the
+/// goal would explain nothing, but what was done may have to be undone.
+std::vector<int> Obstacles(const StateSpace& space, int state, const Goal& goal,
+                           bool with_undoing) {
   const Vocabulary& vocabulary = space.rules().vocabulary();
   std::set<int> goal_predicates;
   for (const Literal& l : goal.literals) goal_predicates.insert(l.relation);
   std::vector<int> obstacles;
   for (const int atom : ConstantAtoms(space, space.ReachableFrom(state))) {
-    if (goal_predicates.contains(vocabulary.Atom(atom).predicate)) continue;
     const Truth wanted = Opposite(space.state(state).Get(atom));
+    if (goal_predicates.contains(vocabulary.Atom(atom).predicate) &&
+        !(with_undoing && wanted == Truth::kFalse)) {
+      continue;
+    }
     const Predicate& predicate =
         vocabulary.predicates()[vocabulary.Atom(atom).predicate];
     if (predicate.report == Predicate::Report::kHeld &&
@@ -156,19 +160,26 @@ std::string MissingLiterals(const StateSpace& space, int state,
   return text;
 }
 
-/// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
-/// true"
-std::string Complaint(const StateSpace& space, const State& state, int atom,
-                      const std::vector<PlanStep>& steps) {
-  const RuleSet& rules = space.rules();
-  const bool is_true = state.Get(atom) == Truth::kTrue;
-  const std::string name = rules.vocabulary().AtomName(atom);
+/// The first of the steps that needs the opposite of the atom.
+std::optional<GroundAction> StepThatNeeds(const StateSpace& space,
+                                          const State& state, int atom,
+                                          const std::vector<PlanStep>& steps) {
   const auto step =
       std::find_if(steps.begin(), steps.end(), [&](const PlanStep& s) {
         return Needs(space, s.action, atom, Opposite(state.Get(atom)));
       });
+  if (step == steps.end()) return std::nullopt;
+  return step->action;
+}
+
+/// "Insert(a, b) needs Clear(a), but Clear(a) is false and no action makes it
+/// true"
+std::string Complaint(const RuleSet& rules, const State& state, int atom,
+                      const std::optional<GroundAction>& needed_by) {
+  const bool is_true = state.Get(atom) == Truth::kTrue;
+  const std::string name = rules.vocabulary().AtomName(atom);
   std::string text;
-  if (step != steps.end()) text = rules.Show(step->action) + " needs ";
+  if (needed_by) text = rules.Show(*needed_by) + " needs ";
   text += (is_true ? "not " : "") + name + ", but " + name;
   return text + (is_true ? " is true and no action makes it false"
                          : " is false and no action makes it true");
@@ -184,17 +195,22 @@ Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
   const auto has_plan = [&](const std::vector<int>& flipped) {
     return solve(Flipped(here, flipped)).leads_to_goal();
   };
-  const std::vector<int> excuse = LeastExcuse(
-      Obstacles(space, state, goal), space.rules().vocabulary(), has_plan);
+  std::vector<int> excuse;
+  for (const bool with_undoing : {false, true}) {
+    if (!excuse.empty()) break;
+    excuse = LeastExcuse(Obstacles(space, state, goal, with_undoing),
+                         space.rules().vocabulary(), has_plan);
+  }
   if (excuse.empty()) {
     because.text += "; no action leads there";
     return because;
   }
   const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
   for (const int atom : excuse) {
-    const std::string why = Complaint(space, here, atom, steps);
+    const auto needed_by = StepThatNeeds(space, here, atom, steps);
+    const std::string why = Complaint(space.rules(), here, atom, needed_by);
     because.text += "; " + why;
-    because.needed.push_back({atom, Opposite(here.Get(atom)), why});
+    because.needed.push_back({atom, Opposite(here.Get(atom)), why, needed_by});
   }
   return because;
 }

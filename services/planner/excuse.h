@@ -18,8 +18,9 @@ struct Excuse {
 /// Plain words for why `goal` cannot be reached from `state` of the space: the
 /// goal's literals that no reachable state has together with the others, and
 /// an excuse (section VI-B1): a minimal set of atoms that, if flipped, would
-/// allow a plan, with the action that needs them. A person is never asked to
-/// put something into a gripper.
+/// allow a plan, with the action that needs them. Only if nothing else would
+/// help, what was done has to be undone. A person is never asked to put
+/// something into a gripper.
 /// `solve` finds the plan for a state.
 Excuse ExplainNoPlan(const StateSpace& space, int state, const Goal& goal,
                      const std::function<Plan(const State&)>& solve);

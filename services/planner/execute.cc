@@ -107,6 +107,21 @@ Decisions Execute::SetGoal(const Goal& goal) {
   return {};
 }
 
+std::optional<DecisionBasis> Execute::Basis() const {
+  const CurrentPlan& plan = context_.plan;
+  if (!plan.state()) return std::nullopt;
+  DecisionBasis basis{.problem = plan.problem(),
+                      .make_solver = plan.make_solver(),
+                      .state = *plan.state(),
+                      .plan = plan.get(),
+                      .failures = context_.dispatch.failures().entries(),
+                      .running = context_.dispatch.running(),
+                      .exploration = context_.params.exploration,
+                      .not_to_begin = context_.NotToBegin()};
+  basis.problem.blocked = plan.blocked();
+  return basis;
+}
+
 Decisions Execute::Decide(Instant now) {
   Decisions out;
   for (const EndedSkill& lost : context_.dispatch.EndLostRequests()) {

@@ -33,6 +33,7 @@ class Execute final : public DecisionState {
   /// From the end of what runs on.
   Decisions SetGoal(const Goal& goal) override;
   Decisions Decide(Instant now) override;
+  std::optional<DecisionBasis> Basis() const override;
 
   const ExecutionState& state() const { return *state_; }
 

@@ -37,6 +37,7 @@ class FailureHistory {
   void Clear() { entries_.clear(); }
 
   std::set<GroundAction> Blocked() const;
+  const std::map<GroundAction, Entry>& entries() const { return entries_; }
   /// Nullptr unless it was tried.
   const Entry* Of(const GroundAction& action) const;
 

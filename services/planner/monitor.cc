@@ -87,31 +87,47 @@ std::optional<Alert> Monitor::Judge(const DoneAction& action,
     return std::nullopt;
   }
   if (!CanBeJudged(plan)) return std::nullopt;
+  Judgement judgement = WithStates(action, after.state);
+  const std::optional<double> without = judgement.expected_actions_before;
+  const auto warn = [&](Alert::Cause cause, std::string text) {
+    return Alert{cause, action.utime, std::move(text),
+                 std::make_shared<const Judgement>(std::move(judgement))};
+  };
   if (plan.result == Plan::Result::kNoPlan) {
-    return Alert{Alert::Cause::kNoPlan, action.utime,
-                 fmt::format("After {} no plan leads to the goal{}",
-                             action.text, HelpFrom(plan))};
+    return warn(Alert::Cause::kNoPlan,
+                fmt::format("After {} no plan leads to the goal{}", action.text,
+                            HelpFrom(plan)));
   }
   const double now = plan.expected_actions;
-  const std::optional<double> without = ActionsWithout(action, after.state);
   last_decided_ = now;
   if (!without || now <= *without + params_.min_detour) return std::nullopt;
   const std::string next =
       plan.steps.empty() ? ""
                          : "; best next: " + rules_->Show(plan.steps[0].action);
-  return Alert{Alert::Cause::kLongerPlan, action.utime,
-               fmt::format("{} has made the way to the goal longer: {:.1f} "
-                           "instead of {:.1f} expected actions{}",
-                           action.text, now, *without, next)};
+  return warn(Alert::Cause::kLongerPlan,
+              fmt::format("{} has made the way to the goal longer: {:.1f} "
+                          "instead of {:.1f} expected actions{}",
+                          action.text, now, *without, next));
+}
+
+Judgement Monitor::WithStates(const DoneAction& action, const State& after) {
+  Judgement judgement{action, after, StateWithout(action, after),
+                      last_decided_};
+  if (!judgement.before) return judgement;
+  const Plan plan = solver_->Find(*judgement.before);
+  if (plan.leads_to_goal()) {
+    judgement.expected_actions_before = plan.expected_actions;
+  }
+  return judgement;
 }
 
 /// The state before the pick-up, but with what other actions have done since:
 /// two hands may act at once, and while a part is in the air it is neither
 /// here nor there.
-std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
-                                              const State& after) {
+std::optional<State> Monitor::StateWithout(const DoneAction& action,
+                                           const State& after) const {
   auto before = states_.lower_bound(action.pick_key_frame);
-  if (before == states_.begin()) return last_decided_;
+  if (before == states_.begin()) return std::nullopt;
   --before;
   State state = before->second.state;
   for (int atom = 0; atom < state.num_atoms(); ++atom) {
@@ -127,9 +143,7 @@ std::optional<double> Monitor::ActionsWithout(const DoneAction& action,
       state.Set(atom, after.Get(atom));
     }
   }
-  const Plan plan = solver_->Find(state);
-  if (plan.leads_to_goal()) return plan.expected_actions;
-  return last_decided_;
+  return state;
 }
 
 std::vector<Alert> Monitor::JudgeDeferred(const SensedState& after) {

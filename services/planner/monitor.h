@@ -42,15 +42,23 @@ class Monitor {
   Decisions SetRules(std::shared_ptr<const RuleSet> rules,
                      std::unique_ptr<Solver> solver);
 
+  /// Nullptr before the first one.
+  const SensedState* latest() const {
+    return states_.empty() ? nullptr : &states_.rbegin()->second;
+  }
+  /// The plan of the latest state.
+  const std::optional<PlanOfState>& reported() const { return reported_; }
+
  private:
   /// Judges the action by the state after it. While that is undecided the
   /// action waits for one that is not.
   std::optional<Alert> Judge(const DoneAction& action,
                              const SensedState& after);
   std::string HelpFrom(const Plan& no_plan) const;
-  /// Expected actions to the goal had the action not been made.
-  std::optional<double> ActionsWithout(const DoneAction& action,
-                                       const State& after);
+  Judgement WithStates(const DoneAction& action, const State& after);
+  /// The state had the action not been made.
+  std::optional<State> StateWithout(const DoneAction& action,
+                                    const State& after) const;
   std::vector<Alert> JudgeDeferred(const SensedState& after);
   void Forget();
   Decisions Report(std::vector<Alert> alerts, bool has_acted);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,18 @@ struct PlanStep {
   bool operator==(const PlanStep&) const = default;
 };
 
+/// An action that may change a state, and what follows when it is done first.
+struct Alternative {
+  PlanStep step;
+  double probability = 0;  ///< of reaching the goal
+};
+
 /// A ground atom, and what it would have to be.
 struct RequiredChange {
   int atom = 0;
   Truth truth = Truth::kTrue;
   std::string why = {};  ///< in plain words: which action needs it
+  std::optional<GroundAction> needed_by = {};  ///< that action
   bool operator==(const RequiredChange&) const = default;
 };
 

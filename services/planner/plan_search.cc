@@ -135,12 +135,8 @@ std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
   return steps;
 }
 
-std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
-  struct RankedStep {
-    PlanStep step;
-    double probability;  // of reaching the goal
-  };
-  std::vector<RankedStep> ranked;
+std::vector<Alternative> PlanSearch::Ranked(int state) const {
+  std::vector<Alternative> ranked;
   for (const StateSpace::Candidate& candidate : space_.candidates(state)) {
     const ValueIteration::Value value = values_.Of(candidate, state);
     double likeliest = 0;
@@ -148,22 +144,31 @@ std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
       if (values_.Of(move.state).probability <= 0) continue;
       likeliest = std::max(likeliest, move.probability);
     }
-    if (likeliest == 0) continue;
     ranked.push_back({{space_.actions()[candidate.action], likeliest,
                        Rounded(value.expected_actions)},
                       Rounded(value.probability)});
   }
   std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const RankedStep& a, const RankedStep& b) {
+                   [](const Alternative& a, const Alternative& b) {
                      if (a.probability != b.probability) {
                        return a.probability > b.probability;
                      }
                      return a.step.expected_actions < b.step.expected_actions;
                    });
+  return ranked;
+}
+
+std::vector<PlanStep> PlanSearch::NextSteps(int state) const {
   std::vector<PlanStep> next;
-  next.reserve(ranked.size());
-  for (RankedStep& step : ranked) next.push_back(std::move(step.step));
+  for (const Alternative& alternative : Ranked(state)) {
+    if (alternative.step.probability > 0) next.push_back(alternative.step);
+  }
   return next;
+}
+
+std::vector<Alternative> PlanSearch::Alternatives(const State& state) {
+  const std::optional<int> s = Enter(state.UnknownAsFalse());
+  return s ? Ranked(*s) : std::vector<Alternative>();
 }
 
 Excuse PlanSearch::WhyNoPlan(const State& state) {

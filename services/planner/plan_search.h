@@ -24,6 +24,7 @@ class PlanSearch final : public Solver {
 
   Plan Find(const State& state) override;
   Plan FindWithoutReason(const State& state) override;
+  std::vector<Alternative> Alternatives(const State& state) override;
   int num_states() const { return space_.size(); }
 
  private:
@@ -33,6 +34,8 @@ class PlanSearch final : public Solver {
   std::optional<int> Enter(const State& state);
   bool IsReached(const State& state) const;
   std::vector<PlanStep> LikelyCourse(int state) const;
+  /// Best first.
+  std::vector<Alternative> Ranked(int state) const;
   std::vector<PlanStep> NextSteps(int state) const;
   Excuse WhyNoPlan(const State& state);
   std::string WhyUndecided(const State& state) const;

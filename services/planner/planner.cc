@@ -225,9 +225,19 @@ void Planner::Publish(const Decisions& decisions) {
   for (const TaskExperience& experience : decisions.experiences) {
     Keep(experience);
   }
+  if (observer_ && (decisions.plan || decisions.execution ||
+                    !decisions.requests.empty() || !decisions.alerts.empty())) {
+    observer_(Now(), decisions, decision_maker_->state().Basis());
+  }
 }
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
+  return MakeObservedPlanner(bus, deployment, {});
+}
+
+std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
+                                             const Deployment& deployment,
+                                             DecisionObserver observer) {
   const Task task = LoadTask(deployment);
   auto decision_maker = LoadDecisionMaker(task.domain, deployment);
   std::set<std::string> hands_of_people;
@@ -235,9 +245,11 @@ std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment) {
     hands_of_people.insert(hand.name);
   }
   Knowledge knowledge(task.domain, decision_maker->is_learning());
-  return std::make_unique<Planner>(bus, std::move(knowledge),
-                                   std::move(hands_of_people),
-                                   std::move(decision_maker));
+  auto planner = std::make_unique<Planner>(bus, std::move(knowledge),
+                                           std::move(hands_of_people),
+                                           std::move(decision_maker));
+  planner->SetObserver(std::move(observer));
+  return planner;
 }
 
 }  // namespace cell::planner

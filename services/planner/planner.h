@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "cell/action_record_t.hpp"
 #include "cell/arm_report_t.hpp"
@@ -18,6 +19,7 @@
 #include "common/bus/command_answer.h"
 #include "common/bus/episode_gate.h"
 #include "common/config/deployment.h"
+#include "services/planner/decision_basis.h"
 #include "services/planner/decision_maker.h"
 #include "services/planner/demonstrations.h"
 #include "services/planner/knowledge.h"
@@ -35,6 +37,11 @@ class Planner final : public Service {
   /// @param hands_of_people  the other hands are the arms'
   Planner(Bus& bus, Knowledge knowledge, std::set<std::string> hands_of_people,
           std::unique_ptr<DecisionMaker> decision_maker);
+
+  /// Is told of all decisions from now on.
+  void SetObserver(DecisionObserver observer) {
+    observer_ = std::move(observer);
+  }
 
  private:
   bool OnEpisode(const episode_t& message);
@@ -61,8 +68,13 @@ class Planner final : public Service {
   std::set<std::string> hands_of_people_;
   Demonstrations demonstrations_;  // of the episode
   std::unique_ptr<DecisionMaker> decision_maker_;
+  DecisionObserver observer_;
 };
 
 std::unique_ptr<Service> MakePlanner(Bus& bus, const Deployment& deployment);
+/// One whose decisions are observed; it decides the same.
+std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
+                                             const Deployment& deployment,
+                                             DecisionObserver observer);
 
 }  // namespace cell::planner

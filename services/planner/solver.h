@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "common/relational/domain.h"
 #include "common/relational/rule_set.h"
@@ -32,6 +33,9 @@ class Solver {
   virtual Plan Find(const State& state) = 0;
   /// The same, but not why there is none.
   virtual Plan FindWithoutReason(const State& state) = 0;
+  /// All actions that may change the state, those that lead nowhere last.
+  /// Unknown atoms are taken as false. Empty if the solver cannot tell.
+  virtual std::vector<Alternative> Alternatives(const State&) { return {}; }
 };
 
 /// Makes the solver of a problem, with a budget of its own kind.

@@ -34,6 +34,15 @@ std::unique_ptr<Solver> Watch::MakeSolver() const {
   return make_solver_({rules_, goal_, Agent::kPerson});
 }
 
+std::optional<DecisionBasis> Watch::Basis() const {
+  const SensedState* latest = monitor_.latest();
+  if (latest == nullptr || !monitor_.reported()) return std::nullopt;
+  return DecisionBasis{.problem = {rules_, goal_, Agent::kPerson},
+                       .make_solver = make_solver_,
+                       .state = latest->state,
+                       .plan = monitor_.reported()->plan};
+}
+
 Decisions Watch::OnSensed(const SensedState& sensed) {
   SensedState by_person = sensed;
   by_person.state = WithoutArms(sensed.state, rules_->vocabulary());

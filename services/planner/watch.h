@@ -35,6 +35,7 @@ class Watch final : public DecisionState {
   Decisions Review(Instant now) override;
   bool OnEpisodeEnd(Instant now) override;
   Decisions Conclude(Instant now) override;
+  std::optional<DecisionBasis> Basis() const override;
 
  private:
   std::unique_ptr<Solver> MakeSolver() const;

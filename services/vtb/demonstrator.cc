@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "services/vtb/target.h"
 #include "services/vtb/within_reach.h"
 
 namespace cell::vtb {
@@ -63,16 +64,7 @@ Demonstrator::Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
   sampler_ = std::make_shared<PlacementSampler>(
       world.table(), world.layout(), demonstrations_->human_motion.table_gap);
   world.Reset();
-  PlacementSampler::Accept accept;
-  if (script_->agent == "robot") {
-    accept = [reach = WithinReach(world.table(), world.layout())](
-                 const auto& scene) {
-      return reach.CanTakeAll(scene);
-    };
-  }
-  for (const auto& placed : sampler_->Scatter(random_, accept)) {
-    world.Place(placed.part, placed.X_WO);
-  }
+  ScatterParts(world);
   for (const std::string& name : script_->place) {
     const PlacementRule& rule = demonstrations_->rules.at(name);
     auto num_left =
@@ -94,6 +86,28 @@ Demonstrator::Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
   }
   PlanEvents();
   pause_ = demonstrations_->human_motion.first_pause;
+}
+
+/// What begins nowhere else stands where the arms can take it, if they are to.
+void Demonstrator::ScatterParts(World& world) {
+  PlacementSampler::Starts starts;
+  for (const auto& [part, start] : script_->start) {
+    if (start.site.empty()) {
+      starts.lying.insert(part);
+    } else {
+      starts.placed.push_back({part, PoseOfSite(start.site, world)});
+    }
+  }
+  PlacementSampler::Accept accept;
+  if (script_->agent == "robot") {
+    accept = [&, reach = WithinReach(world.table(), world.layout())](
+                 const auto& scene) {
+      return reach.CanTakeAll(scene, starts);
+    };
+  }
+  for (const auto& placed : sampler_->Scatter(starts, random_, accept)) {
+    world.Place(placed.part, placed.X_WO);
+  }
 }
 
 void Demonstrator::PlanEvents() {

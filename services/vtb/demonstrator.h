@@ -20,7 +20,7 @@ namespace cell::vtb {
 /// same way.
 class Demonstrator {
  public:
-  /// Scatters the parts of `world` and stands ready.
+  /// Puts the parts of `world` where the script begins and stands ready.
   /// @throws std::invalid_argument if there is no such script.
   Demonstrator(std::shared_ptr<const Demonstrations> demonstrations,
                const std::string& script, uint64_t seed, World& world);
@@ -62,6 +62,7 @@ class Demonstrator {
     bool is_fetched = false;  // it holds the part at its rest
   };
 
+  void ScatterParts(World& world);
   void PlanEvents();
   void BookFinished(const World& world);
   void Decide(World& world);

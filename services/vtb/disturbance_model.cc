@@ -95,8 +95,7 @@ void DisturbanceModel::Help(World& world) {
       Place({action->part, action->site}, world);
       return;
     }
-    const auto X_WO =
-        sampler_->FreePlace(action->part, SceneIn(world), kMinMove, random_);
+    const auto X_WO = Somewhere(action->part, world);
     if (!X_WO) continue;
     hand_.PickUp(action->part, action->site);
     hand_.Place(action->part, {nullptr, "", *X_WO});

@@ -52,12 +52,29 @@ std::optional<HelpAction> Placing(const HelpRequest& request,
   return std::nullopt;
 }
 
+std::optional<HelpAction> Raising(const HelpRequest& request,
+                                  std::span<const std::string> at_hand,
+                                  const World& world) {
+  constexpr double kLying = 0.7;  // cosine of the tilt
+  for (const std::string& part : at_hand) {
+    if (world.PoseOf(part).linear()(2, 2) < kLying &&
+        Concerns(request, part, "")) {
+      return HelpAction{nullptr, part, "", true};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<HelpAction> ActionFor(const HelpRequest& request,
                                     const Demonstrations& demonstrations,
                                     std::span<const std::string> at_hand,
                                     const World& world) {
+  if (!request.is_true && !request.predicate.empty() &&
+      request.predicate == demonstrations.lies) {
+    return Raising(request, at_hand, world);
+  }
   for (const auto& [name, rule] : demonstrations.rules) {
     if (rule.makes.empty() || rule.makes != request.predicate) continue;
     if (request.is_true && !IsReady(rule, demonstrations, world)) continue;

@@ -24,14 +24,16 @@ struct HelpAction {
   const PlacementRule* rule = nullptr;
   std::string part;
   std::string site;
-  bool is_removal = false;  ///< from the site, back to the table
+  /// From the site, or from where it lies, to where it stands on the table.
+  bool is_removal = false;
 };
 
 /// Places one of the parts `at_hand` where it makes the requested predicate
-/// true, or takes out one that makes it true although it should not be. The
+/// true, or takes out one that makes it true although it should not be, or
+/// raises one that lies. The
 /// first that is possible as things are; nullopt if none is, or if no placement
 /// rule makes the predicate. What the person knows of predicates are the keys
-/// `makes` of demonstrators.yaml.
+/// `makes` and `lies` of demonstrators.yaml.
 std::optional<HelpAction> ActionFor(const HelpRequest& request,
                                     const Demonstrations& demonstrations,
                                     std::span<const std::string> at_hand,

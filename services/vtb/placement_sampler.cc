@@ -10,6 +10,7 @@ namespace cell::vtb {
 namespace {
 
 using Eigen::Isometry3d;
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Outline = std::vector<Vector2d>;
@@ -138,9 +139,14 @@ Outline PlacementSampler::OutlineAt(const Placed& placed) const {
   return ConvexHull(points);
 }
 
+bool PlacementSampler::Starts::Has(const std::string& part) const {
+  return lying.contains(part) ||
+         std::ranges::find(placed, part, &Placed::part) != placed.end();
+}
+
 std::optional<PlacementSampler::Placed> PlacementSampler::TryPlace(
-    const std::string& part, const std::vector<Outline>& taken,
-    std::mt19937_64& random) const {
+    const std::string& part, const Matrix3d* R_WO,
+    const std::vector<Outline>& taken, std::mt19937_64& random) const {
   std::uniform_real_distribution<double> unit(-0.5, 0.5);
   const PartExtent& extent = extents_.at(part);
   Isometry3d X_WO = Isometry3d::Identity();
@@ -149,11 +155,16 @@ std::optional<PlacementSampler::Placed> PlacementSampler::TryPlace(
   X_WO.linear() =
       Eigen::AngleAxisd(2 * std::numbers::pi * unit(random), Vector3d::UnitZ())
           .toRotationMatrix();
+  if (R_WO != nullptr) X_WO.linear() = X_WO.linear() * *R_WO;
   X_WO.translation().z() = -extent.Lowest(X_WO);
   Outline outline;
+  if (R_WO != nullptr) outline = OutlineAt({part, X_WO});
   for (const Vector2d& p : extent.footprint) {
+    if (R_WO != nullptr) break;
     outline.emplace_back((X_WO * Vector3d(p.x(), p.y(), 0)).head<2>());
-    const Vector2d off = (outline.back() - area_.centre).cwiseAbs();
+  }
+  for (const Vector2d& p : outline) {
+    const Vector2d off = (p - area_.centre).cwiseAbs();
     if (off.x() > area_.size.x() / 2 || off.y() > area_.size.y() / 2) {
       return std::nullopt;
     }
@@ -165,15 +176,21 @@ std::optional<PlacementSampler::Placed> PlacementSampler::TryPlace(
 }
 
 std::vector<PlacementSampler::Placed> PlacementSampler::Scatter(
-    std::mt19937_64& random, const Accept& accept) const {
+    const Starts& starts, std::mt19937_64& random, const Accept& accept) const {
   constexpr int kAttempts = 1000, kTriesPerPart = 300;
+  const Matrix3d tipped =
+      Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX())
+          .toRotationMatrix();
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    std::vector<Placed> scene;
+    std::vector<Placed> scene = starts.placed;
     std::vector<Outline> taken;
+    for (const Placed& placed : scene) taken.push_back(OutlineAt(placed));
     for (const std::string& part : free_parts_) {
+      if (starts.Has(part) && !starts.lying.contains(part)) continue;
+      const Matrix3d* R_WO = starts.lying.contains(part) ? &tipped : nullptr;
       std::optional<Placed> placed;
       for (int i = 0; i < kTriesPerPart && !placed; ++i) {
-        placed = TryPlace(part, taken, random);
+        placed = TryPlace(part, R_WO, taken, random);
       }
       if (!placed) break;
       taken.push_back(OutlineAt(*placed));
@@ -199,7 +216,7 @@ std::optional<Isometry3d> PlacementSampler::FreePlace(
     }
   }
   for (int i = 0; i < 1000; ++i) {
-    const std::optional<Placed> found = TryPlace(part, taken, random);
+    const std::optional<Placed> found = TryPlace(part, nullptr, taken, random);
     if (!found) continue;
     const Vector3d way = found->X_WO.translation() - here;
     if (way.head<2>().norm() < min_way) continue;

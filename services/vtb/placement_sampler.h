@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,12 +44,23 @@ class PlacementSampler {
   PlacementSampler(const PartTable& table, const CellLayout& layout,
                    double gap);
 
+  /// What does not stand anywhere at the start.
+  struct Starts {
+    std::vector<Placed> placed;   ///< is where it is
+    std::set<std::string> lying;  ///< lies on its side, anywhere
+    bool Has(const std::string& part) const;
+  };
+
   /// Whether parts may lie so; an empty one accepts all.
   using Accept = std::function<bool(const std::vector<Placed>& scene)>;
 
   /// Random poses of all free parts.
   /// @throws std::runtime_error if they do not fit in 1000 attempts.
   std::vector<Placed> Scatter(std::mt19937_64& random,
+                              const Accept& accept = {}) const {
+    return Scatter({}, random, accept);
+  }
+  std::vector<Placed> Scatter(const Starts& starts, std::mt19937_64& random,
                               const Accept& accept = {}) const;
 
   /// A random place for `part` at least the gap away from all others and
@@ -65,8 +77,10 @@ class PlacementSampler {
 
  private:
   std::vector<Eigen::Vector2d> OutlineAt(const Placed& placed) const;
+  /// A random place, turned anyhow about the vertical.
+  /// @param R_WO  how it is tipped before; nullptr: it stands
   std::optional<Placed> TryPlace(
-      const std::string& part,
+      const std::string& part, const Eigen::Matrix3d* R_WO,
       const std::vector<std::vector<Eigen::Vector2d>>& taken,
       std::mt19937_64& random) const;
 

@@ -126,6 +126,13 @@ Script::Disturbance DisturbanceFromConfig(const Config& config) {
   return disturbance;
 }
 
+Script::Start StartFromConfig(const Config& config) {
+  Script::Start start{config.GetOr<std::string>("site", "")};
+  const bool is_lying = config.GetOr("lying", false);
+  if (is_lying == start.site.empty()) return start;
+  config.Fail("should be either {lying: true} or {site: NAME}");
+}
+
 Script ScriptFromConfig(const Config& config, const std::string& name) {
   Script script;
   script.name = name;
@@ -154,6 +161,11 @@ Script ScriptFromConfig(const Config& config, const std::string& name) {
   }
   if (config.Has("too_early")) {
     script.too_early = config.Get<std::string>("too_early");
+  }
+  if (config.Has("start")) {
+    for (const auto& [part, entry] : config["start"].Entries()) {
+      script.start.emplace(part, StartFromConfig(entry));
+    }
   }
   script.lay_outside = NamesOf(config, "lay_outside");
   script.lay_down = NamesOf(config, "lay_down");
@@ -189,8 +201,39 @@ void CheckAfter(const Config& config, const Demonstrations& demonstrations) {
   }
 }
 
+/// Of what starts at sites: that it fits, and that nothing else is there.
+void CheckStart(const Config& config, const Script& script,
+                const PartTable& table) {
+  std::set<std::string> taken;
+  for (const auto& [name, start] : script.start) {
+    const Config entry = config["start"][name];
+    const Part* part = table.Find(name);
+    if (part == nullptr) {
+      entry.Fail("no part is named '" + name + "'" +
+                 NamesInstead(name, NamesIn(table.parts(), &Part::name)));
+    }
+    if (!part->is_free()) entry.Fail("'" + name + "' cannot be moved");
+    if (start.site.empty()) continue;
+    const Site* site = table.FindSite(start.site);
+    if (site == nullptr) {
+      entry["site"].Fail("no part has a site '" + start.site + "'");
+    }
+    if (!AnyIs(part->fits, site->type, std::identity{})) {
+      entry["site"].Fail("'" + name + "' does not fit '" + site->name +
+                         "', as parts.yaml says");
+    }
+    if (table.Find(site->host)->is_free()) {
+      entry["site"].Fail("'" + site->host + "' lies anywhere at the start");
+    }
+    if (!taken.insert(site->name).second) {
+      entry["site"].Fail("another part starts at '" + site->name + "'");
+    }
+  }
+}
+
 void CheckScript(const Config& config, const Script& script,
                  const Demonstrations& demonstrations, const PartTable& table) {
+  CheckStart(config, script, table);
   const std::pair<const char*, const std::vector<std::string>*> lists[] = {
       {"lay_outside", &script.lay_outside}, {"lay_down", &script.lay_down}};
   for (const auto& [key, types] : lists) {
@@ -216,8 +259,8 @@ void CheckScript(const Config& config, const Script& script,
   if (script.too_early) check("too_early", *script.too_early);
 }
 
-std::vector<std::string> LoadDefault(const Config& config,
-                                     const Demonstrations& demonstrations) {
+std::vector<std::string> ScriptsFromConfig(
+    const Config& config, const Demonstrations& demonstrations) {
   std::vector<std::string> names;
   for (const Config& item : config.Items()) {
     names.push_back(item.As<std::string>());
@@ -228,6 +271,15 @@ std::vector<std::string> LoadDefault(const Config& config,
   }
   if (names.empty()) config.Fail("names no script");
   return names;
+}
+
+std::map<std::string, std::vector<std::string>> WatchedFromConfig(
+    const Config& config, const Demonstrations& demonstrations) {
+  std::map<std::string, std::vector<std::string>> watched;
+  for (const char* kind : {"correct", "deviation", "dead_end"}) {
+    watched[kind] = ScriptsFromConfig(config[kind], demonstrations);
+  }
+  return watched;
 }
 
 std::vector<std::string> TeachingFromConfig(
@@ -252,6 +304,7 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
   demonstrations.goal = config.Get<std::string>("goal");
   demonstrations.human_motion = HumanMotionFromConfig(config["human_motion"]);
   demonstrations.raising = config.GetOr<std::string>("raising", "");
+  demonstrations.lies = config.GetOr<std::string>("lies", "");
   for (const auto& [name, entry] : config["placements"].Entries()) {
     demonstrations.rules.emplace(name, RuleFromConfig(entry, name, table));
   }
@@ -262,10 +315,14 @@ Demonstrations Demonstrations::FromConfig(const Config& config,
     demonstrations.scripts.emplace(name, script);
   }
   demonstrations.default_episodes =
-      LoadDefault(config["default"], demonstrations);
+      ScriptsFromConfig(config["default"], demonstrations);
   if (config.Has("teaching")) {
     demonstrations.teaching =
         TeachingFromConfig(config["teaching"], demonstrations);
+  }
+  if (config.Has("watched")) {
+    demonstrations.watched =
+        WatchedFromConfig(config["watched"], demonstrations);
   }
   config.Finish();
   return demonstrations;

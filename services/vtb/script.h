@@ -49,6 +49,11 @@ struct Script {
   /// Rule whose part is placed although another must come first, and then
   /// taken back.
   std::optional<std::string> too_early;
+  /// Where a part is at the start, in place of standing anywhere.
+  struct Start {
+    std::string site;  ///< seated there; empty: it lies on its side
+  };
+  std::map<std::string, Start> start;  ///< by part
   /// A person beside the robot.
   struct Disturbance {
     enum class Kind {
@@ -97,9 +102,16 @@ struct Demonstrations {
   HumanMotionParams human_motion;
   /// Scripts that show a cell all its actions, one demonstration each.
   std::vector<std::string> teaching;
+  /// Scripts by what is to be said of them: the person does it `correct`ly,
+  /// with a `deviation` that makes the way to the goal longer, into a
+  /// `dead_end`.
+  std::map<std::string, std::vector<std::string>> watched;
   /// What the person calls the action that laying a part down undoes; empty:
   /// nothing.
   std::string raising;
+  /// The predicate of the task that is true of a part that lies, as far as the
+  /// person knows what the cell means by it; empty: the person does not.
+  std::string lies;
   std::map<std::string, PlacementRule> rules;
   std::map<std::string, Script> scripts;
 

@@ -49,13 +49,13 @@ bool WithinReach::CanTake(
   return CanTakeIn(SceneOf(empty_, scene), part);
 }
 
-bool WithinReach::CanTakeAll(
-    const std::vector<PlacementSampler::Placed>& scene) const {
+bool WithinReach::CanTakeAll(const std::vector<PlacementSampler::Placed>& scene,
+                             const PlacementSampler::Starts& but) const {
   const ArmScene arm_scene = SceneOf(empty_, scene);
-  return std::ranges::all_of(scene,
-                             [&](const PlacementSampler::Placed& placed) {
-                               return CanTakeIn(arm_scene, placed.part);
-                             });
+  return std::ranges::all_of(
+      scene, [&](const PlacementSampler::Placed& placed) {
+        return but.Has(placed.part) || CanTakeIn(arm_scene, placed.part);
+      });
 }
 
 }  // namespace cell::vtb

@@ -21,7 +21,9 @@ class WithinReach {
   /// arms at home.
   bool CanTake(const std::string& part,
                const std::vector<PlacementSampler::Placed>& scene) const;
-  bool CanTakeAll(const std::vector<PlacementSampler::Placed>& scene) const;
+  /// @param but  which parts need not be taken
+  bool CanTakeAll(const std::vector<PlacementSampler::Placed>& scene,
+                  const PlacementSampler::Starts& but = {}) const;
 
  private:
   bool CanTakeIn(const ArmScene& scene, const std::string& part) const;

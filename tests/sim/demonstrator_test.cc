@@ -168,5 +168,32 @@ TEST(Demonstrator, ASnapshotContinuesBitForBit) {
   }
 }
 
+TEST(Demonstrator, PutsPartsWhereTheScriptSaysThatTheyStart) {
+  const std::string folder = CELL_SOURCE_DIR "/deploy/tasks/cranfield/";
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    World world(PartTable::FromConfig(Config::Load(folder + "parts.yaml")),
+                CellLayout::FromConfig(Config::Load(folder + "cell.yaml")),
+                {.dt = 0.002});
+    auto demonstrations =
+        std::make_shared<Demonstrations>(Demonstrations::FromConfig(
+            Config::Load(folder + "demonstrators.yaml"), world.table()));
+    demonstrations->scripts.at("execution").start = {
+        {"round_peg_2", {}}, {"shaft", {}}, {"separator", {"base.separator"}}};
+    const Demonstrator demonstrator(demonstrations, "execution", seed, world);
+    for (int tick = 0; tick < 250; ++tick) world.Run(4);
+    const auto tilt = [&](const char* part) {  // [rad]
+      return std::acos(world.PoseOf(part).linear()(2, 2));
+    };
+    EXPECT_GT(tilt("round_peg_2"), 1.2) << seed;
+    EXPECT_GT(tilt("shaft"), 1.2) << seed;
+    EXPECT_LT(tilt("round_peg_1"), 0.01) << seed;
+    EXPECT_EQ(SeatOf(*world.table().Find("separator"), world), "base.separator")
+        << seed;
+    for (const char* part : {"round_peg_2", "shaft", "separator"}) {
+      EXPECT_LT(world.SpeedOf(part), 0.002) << part << seed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cell

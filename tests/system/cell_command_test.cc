@@ -221,7 +221,10 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "diff",
                               "eval",
                               "eval watch",
+                              "eval alarms",
                               "eval assembly",
+                              "eval disturbed",
+                              "eval goals",
                               "eval from_nothing",
                               "check",
                               "chain",
@@ -301,7 +304,7 @@ TEST_F(CellCommand, AloneListsItsCommandsAndHasAVersion) {
 TEST_F(CellCommand, AMistypedNameIsAnsweredWithTheNearestAndTheList) {
   const std::pair<const char*, const char*> slips[] = {
       {"evel", "did you mean 'eval'? Known: demo, sim,"},
-      {"eval wach", "did you mean 'watch'? Known: watch, assembly,"},
+      {"eval wach", "did you mean 'watch'? Known: watch, alarms,"},
       {"library lst", "did you mean 'list'?"},
       {"sim --demonstration assembli",
        "did you mean 'assembly'? Known: assembly,"}};

@@ -9,6 +9,8 @@ cell_add_test(system/camera_command_test.cc
 add_dependencies(camera_command_test programs)
 cell_add_test(system/execution_command_test.cc LINK cell_bus TIMEOUT 900)
 add_dependencies(execution_command_test programs)
+cell_add_test(system/from_nothing_command_test.cc TIMEOUT 600)
+add_dependencies(from_nothing_command_test programs)
 cell_add_test(system/log_command_test.cc LINK cell_bus TIMEOUT 300)
 cell_add_test(system/recording_test.cc LINK cell_cli cell_sec_builder TIMEOUT 300)
 add_dependencies(recording_test programs)

@@ -57,6 +57,7 @@ void AddMonitor(CLI::App& app, Action* action);
 
 // The evaluations that need no cell: subcommands of eval.
 void AddEvalRules(CLI::App& eval, Action* action);
+void AddEvalGrowth(CLI::App& eval, Action* action);
 void AddEvalRexd(CLI::App& eval, Action* action);
 void AddEvalExcuses(CLI::App& eval, Action* action);
 void AddEvalMistakes(CLI::App& eval, Action* action);

@@ -9,6 +9,7 @@
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
+#include "common/text/nearest.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/eval_sec.h"
 #include "services/cell/commands/eval_shown.h"
@@ -29,6 +30,7 @@ struct EvalOptions {
   std::shared_ptr<Evaluation> evaluation;
   std::string deploy_dir;
   int runs = 0;
+  std::string group;  // empty: all
   uint64_t seed = 1;
   int jobs = 2;
   std::string json_file;
@@ -61,6 +63,26 @@ json RunTrial(const EvalOptions& options, const CellFiles& files,
   row["group"] = trial.group;
   row["seed"] = trial.seed;
   return row;
+}
+
+/// Without those of other groups than the one that is asked for.
+template <class Named>
+std::vector<Named> OfGroup(const EvalOptions& options, std::vector<Named> all) {
+  std::erase_if(all, [&](const Named& one) {
+    return !options.group.empty() &&
+           !one.name.starts_with(options.group + ": ");
+  });
+  return all;
+}
+
+std::vector<Measure> MeasuresOf(const EvalOptions& options,
+                                const std::vector<json>& rows) {
+  return OfGroup(options, options.evaluation->Measures(rows));
+}
+
+std::vector<Figure> FiguresOf(const EvalOptions& options,
+                              const std::vector<json>& rows) {
+  return OfGroup(options, options.evaluation->Figures(rows));
 }
 
 json ToJson(const Measure& measure, uint64_t seed) {
@@ -132,8 +154,8 @@ void RequireFreeJson(const EvalOptions& options) {
   if (options.is_resumed) {
     std::ifstream file(options.json_file);
     const json old = json::parse(file, nullptr, false);
-    const json mine = ToJson(options.evaluation->Measures({}),
-                             options.evaluation->Figures({}), options.seed);
+    const json mine =
+        ToJson(MeasuresOf(options, {}), FiguresOf(options, {}), options.seed);
     if (TopicsOf(old) == TopicsOf(mine)) return;
   }
   RequireFree(options.json_file, kAnotherJson);
@@ -151,12 +173,14 @@ int RunEval(const EvalOptions& options) {
   RequireFreeJson(options);
   const int runs =
       options.runs > 0 ? options.runs : options.evaluation->default_runs();
-  const auto trials = options.evaluation->Trials(runs, options.seed);
-  const std::string path =
-      options.rows_file.empty()
-          ? fmt::format("runs/eval-{}-seed{}.jsonl", options.evaluation->name(),
-                        options.seed)
-          : options.rows_file;
+  const auto trials =
+      options.evaluation->Trials(runs, options.seed, options.group);
+  const std::string path = options.rows_file.empty()
+                               ? fmt::format("runs/eval-{}{}{}-seed{}.jsonl",
+                                             options.evaluation->name(),
+                                             options.group.empty() ? "" : "-",
+                                             options.group, options.seed)
+                               : options.rows_file;
   RowStore store(path, options.is_resumed);
   std::vector<std::string> keys;
   for (const Trial& trial : trials) keys.push_back(KeyOf(trial));
@@ -168,8 +192,8 @@ int RunEval(const EvalOptions& options) {
   for (const std::string& key : keys) {
     if (store.Has(key)) rows.push_back(store.At(key));
   }
-  const auto measures = options.evaluation->Measures(rows);
-  const auto figures = options.evaluation->Figures(rows);
+  const auto measures = MeasuresOf(options, rows);
+  const auto figures = FiguresOf(options, rows);
   Print(measures);
   Print(figures);
   bool is_met = rows.size() == trials.size();
@@ -203,6 +227,12 @@ void AddEval(CLI::App& app, Action* action) {
             "--runs", options->runs,
             "runs of the largest group (default: what the goal requires)")
         ->check(NumberIn(1, kMaxRuns));
+    if (const auto groups = options->evaluation->groups(); groups.size() > 1) {
+      command
+          ->add_option("--group", options->group,
+                       "only the runs of this group, --runs of them")
+          ->check(CLI::IsMember(NamesIn(groups, &TrialGroup::name)));
+    }
     command->add_option("--seed", options->seed, "seed of the first run")
         ->check(NumberIn<uint64_t>(0, UINT64_MAX - kMaxRuns))
         ->capture_default_str();
@@ -229,6 +259,7 @@ void AddEval(CLI::App& app, Action* action) {
   AddEvalShown(*eval, action);
   AddEvalRules(*eval, action);
   AddEvalRexd(*eval, action);
+  AddEvalGrowth(*eval, action);
   AddEvalExcuses(*eval, action);
   AddEvalMistakes(*eval, action);
 }

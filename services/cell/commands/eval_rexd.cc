@@ -1,17 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "common/files/draft.h"
-#include "common/node/cell_files.h"
 #include "common/node/number_option.h"
-#include "common/rexd/rexd_run.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/eval_rexd_blocks.h"
 #include "services/cell/commands/eval_rexd_curve.h"
-#include "services/cell/commands/rules_files.h"
+#include "services/cell/commands/eval_rexd_options.h"
 #include "services/cell/evaluations/gnuplot.h"
 #include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/rexd_figures.h"
@@ -22,63 +20,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kAnotherTable[] = "choose another --csv or remove it";
-
-struct EvalRexdOptions {
-  std::string deploy_dir;
-  std::string task_file;
-  std::vector<double> successes = {1, 0.8, 0.6, 0.4};
-  std::string teacher = "sure";
-  std::vector<std::string> without;
-  bool explores_no_ops = true;
-  int runs = 100;
-  int episodes = 4;
-  uint64_t seed = 1;
-  int jobs = 2;
-  std::string rows_file;
-  std::string csv_file;
-  bool is_resumed = false;
-  LearningCurveOptions curve;
-};
-
-struct RexdTrial {
-  double success;
-  uint64_t seed;
-  std::string Key() const { return fmt::format("{}/{}", success, seed); }
-};
-
-bool IsWithout(const EvalRexdOptions& options, const char* part) {
-  return std::ranges::find(options.without, part) != options.without.end();
-}
-
-rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options) {
-  const std::filesystem::path path =
-      options.task_file.empty()
-          ? std::filesystem::path(
-                FindCellFiles(options.deploy_dir).deployment.task_dir) /
-                "learning/placements.rules"
-          : std::filesystem::path(options.task_file);
-  rexd::RexdTask task = rexd::ParseRexdTask(TextOfFile(path), path.string());
-  if (IsWithout(options, "fits")) task = rexd::WithoutPredicate(task, "fits");
-  if (IsWithout(options, "types")) task = rexd::WithoutTypes(task);
-  return task;
-}
-
 json RunTrial(const rexd::RexdTask& task, const EvalRexdOptions& options,
               const RexdTrial& trial) {
-  rexd::RunParams params;
-  params.success = trial.success;
-  params.seed = trial.seed;
-  params.num_episodes = options.episodes;
-  params.teacher.is_sure = options.teacher == "sure";
-  params.teacher.heeds_guidance = !IsWithout(options, "guidance");
-  params.learner.uses_subgoals = !IsWithout(options, "subgoals");
-  if (IsWithout(options, "alternatives")) params.learner.max_alternatives = 0;
-  params.learner.explores_no_ops = options.explores_no_ops;
   json row = {{"success", trial.success}, {"seed", trial.seed}};
   rexd::FrozenScore frozen;
   for (const rexd::EpisodeCounts& counts :
-       rexd::RunRexd(task, params, &frozen)) {
+       rexd::RunRexd(task, ParamsOf(options, trial), &frozen)) {
     row["actions"].push_back(counts.num_actions);
     row["demonstrations"].push_back(counts.num_demonstrations);
     row["explorations"].push_back(counts.num_explorations);
@@ -126,30 +73,8 @@ void Report(const EvalRexdOptions& options, const rexd::RexdTask& task,
   }
 }
 
-std::vector<RexdTrial> TrialsOf(const EvalRexdOptions& options) {
-  std::vector<RexdTrial> trials;
-  for (const double success : options.successes) {
-    for (int i = 0; i < options.runs; ++i) {
-      trials.push_back({success, options.seed + static_cast<uint64_t>(i)});
-    }
-  }
-  return trials;
-}
-
-/// Names the task and everything that changes a run.
-std::string DefaultRows(const EvalRexdOptions& options) {
-  std::string name = "runs/eval-rexd-" + options.teacher;
-  if (!options.task_file.empty()) {
-    name += "-" + std::filesystem::path(options.task_file).stem().string();
-  }
-  for (const std::string& part : options.without) name += "-without-" + part;
-  if (!options.explores_no_ops) name += "-skip-no-ops";
-  return fmt::format("{}-seed{}.jsonl", name, options.seed);
-}
-
 /// The curve, with the options that both evaluations have.
-int EvalCurve(const EvalRexdOptions& options) {
-  LearningCurveOptions curve = options.curve;
+int EvalCurve(const EvalRexdOptions& options, LearningCurveOptions curve) {
   curve.runs = options.runs;
   curve.seed = options.seed;
   curve.jobs = options.jobs;
@@ -159,16 +84,10 @@ int EvalCurve(const EvalRexdOptions& options) {
   return EvalLearningCurve(curve);
 }
 
-int EvalRexd(const EvalRexdOptions& options) {
-  if (!options.csv_file.empty()) {
-    RequireFree(options.csv_file, kAnotherTable);
-    RequireFree(options.csv_file + ".png", kAnotherTable);
-  }
+int EvalEpisodes(const EvalRexdOptions& options) {
   const rexd::RexdTask task = LoadRexdTask(options);
   const std::vector<RexdTrial> trials = TrialsOf(options);
-  RowStore store(
-      options.rows_file.empty() ? DefaultRows(options) : options.rows_file,
-      options.is_resumed);
+  RowStore store(RowsFile(options), options.is_resumed);
   std::vector<std::string> keys;
   for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
   DoMissingRuns(
@@ -191,6 +110,16 @@ int EvalRexd(const EvalRexdOptions& options) {
   std::cout << fmt::format("rows in {} ({} of {} runs)\n",
                            store.path().string(), num_rows, trials.size());
   return num_rows == trials.size() ? 0 : 1;
+}
+
+int EvalRexd(const EvalRexdOptions& options,
+             const LearningCurveOptions& curve) {
+  if (!curve.domain_file.empty()) return EvalCurve(options, curve);
+  if (!options.csv_file.empty()) {
+    RequireFree(options.csv_file, kAnotherTable);
+    RequireFree(options.csv_file + ".png", kAnotherTable);
+  }
+  return options.blocks.empty() ? EvalEpisodes(options) : EvalBlocks(options);
 }
 
 void AddCurveOptions(CLI::App* command, LearningCurveOptions* curve) {
@@ -221,6 +150,7 @@ void AddCurveOptions(CLI::App* command, LearningCurveOptions* curve) {
 
 void AddEvalRexd(CLI::App& eval, Action* action) {
   auto options = std::make_shared<EvalRexdOptions>();
+  auto curve = std::make_shared<LearningCurveOptions>();
   CLI::App* command = eval.add_subcommand(
       "rexd",
       "Learn a task from nothing by REX-D, in simulated worlds of several "
@@ -234,13 +164,23 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
       "objects "
       "and outcome; the first one of another kind is no repetition.\n"
       "Example: cell eval rexd --runs 300 --csv rexd.csv\n"
+      "Example: cell eval rexd --blocks lying_peg,separator_first,"
+      "other_face_plate --success 1,0.4 --csv blocks.csv\n"
       "Example: cell eval rexd --ppddl domain.pddl --learn-in learn.pddl "
       "--test-on test_*.pddl --runs 10 --csv curve.csv");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--task-file", options->task_file,
                       "world, goal and true rules (default: "
-                      "learning/placements.rules of the task)");
+                      "learning/placements.rules of the task; with --blocks "
+                      "learning/changed_tasks.rules)");
+  command
+      ->add_option("--blocks", options->blocks,
+                   "changed tasks to learn one after the other, --episodes of "
+                   "each, and beside it each from scratch: files with what "
+                   "differs from the task file at the start (changes: ...) and "
+                   "the goal, or names of such files in learning/ of the task")
+      ->delimiter(',');
   command
       ->add_option("--success", options->successes,
                    "success rates of the robot's actions")
@@ -280,11 +220,10 @@ void AddEvalRexd(CLI::App& eval, Action* action) {
                       "write the table here, and FILE.png that plots it");
   command->add_flag("--resume", options->is_resumed,
                     "keep the rows of an earlier call and run what is missing");
-  AddCurveOptions(command, &options->curve);
+  AddCurveOptions(command, curve.get());
   command->callback([=] {
     *action = [=] {
-      return options->curve.domain_file.empty() ? EvalRexd(*options)
-                                                : EvalCurve(*options);
+      return EvalRexd(*options, *curve);
     };
   });
 }

@@ -4,60 +4,111 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/bus/live_log.h"
+#include "common/bus/live_replay.h"
+#include "common/bus/replay.h"
 #include "common/bus/run_log.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/explaining/action_explainer.h"
+#include "services/cell/explaining/decision_explainer.h"
 #include "services/cell/running/run_folder.h"
+#include "services/planner/planner.h"
 
 namespace cell::cli {
 namespace {
 
+constexpr char kPlanner[] = "planner";
+constexpr char kRecognition[] = "recognition";
+constexpr char kDecisions[] = "decisions";
+
 struct ExplainOptions {
   std::string run;
-  double at = 0;  // [s]
+  double at = 0;      // [s]
+  std::string about;  // empty: everything
+  bool is_verbose = false;
 };
 
-void PutAll(const RunFolder& run, Explainer* explainer) {
+bool HasPlanner(const Roster& roster) {
+  return std::ranges::any_of(
+      roster.entries, [](const auto& entry) { return entry.name == kPlanner; });
+}
+
+/// Makes the planner of the run decide again. Returns where it decides
+/// otherwise than the log says, as a planner of another build may.
+std::optional<std::string> Decide(const RunFolder& run,
+                                  DecisionExplainer* decisions) {
+  const ServiceFactory factory = [&](Bus& bus) {
+    return planner::MakeObservedPlanner(bus, run.deployment,
+                                        decisions->Observer());
+  };
   if (LiveLog::IsLive(RequireLogsOf(run.path))) {
     const LiveLog log = LiveLog::Load(run.path);
-    for (const Message* message : log.InOrder()) explainer->Put(*message);
+    return ReplayLive(log, run.roster, kPlanner, factory).difference;
+  }
+  const RunLog log = RunLog::Load(run.path);
+  return Replay(log, run.roster, kPlanner, factory).difference;
+}
+
+void Recognise(const RunFolder& run, ActionExplainer* actions) {
+  if (LiveLog::IsLive(RequireLogsOf(run.path))) {
+    const LiveLog log = LiveLog::Load(run.path);
+    for (const Message* message : log.InOrder()) actions->Put(*message);
     return;
   }
   const RunLog log = RunLog::Load(run.path);
   for (const auto& [k, tick] : log.ticks()) {
     std::vector<Message> messages = tick.messages;
     std::ranges::sort(messages, OrderedBefore);
-    for (const Message& message : messages) explainer->Put(message);
+    for (const Message& message : messages) actions->Put(message);
+  }
+}
+
+void Print(const Explanation& explanation) {
+  std::cout << fmt::format("at {:.2f} s {}\n",
+                           static_cast<double>(explanation.utime) * 1e-6,
+                           Printable(explanation.what));
+  for (const std::string& reason : explanation.reasons) {
+    std::cout << "  " << Printable(reason) << '\n';
   }
 }
 
 int RunExplain(const ExplainOptions& options) {
-  const RunFolder run = RunFolder::Open(options.run);
-  ActionExplainer explainer(
-      recognizer::Recognizer::Params::Load(run.deployment));
-  PutAll(run, &explainer);
-  const auto utime = static_cast<int64_t>(options.at * 1e6);
-  const auto nearest = NearestTo(utime, explainer.explanations());
-  if (!nearest) {
-    throw std::runtime_error(options.run +
-                             ": the log shows no manipulation to explain");
+  RunFolder run = RunFolder::Open(options.run);
+  // As a live run was recorded; for others it makes no difference.
+  run.deployment.has_operator = LiveLog::IsLive(RequireLogsOf(run.path));
+  ActionExplainer actions(recognizer::Recognizer::Params::Load(run.deployment));
+  DecisionExplainer decisions(options.is_verbose);
+  std::vector<const Explainer*> explainers;
+  if (options.about != kDecisions) {
+    Recognise(run, &actions);
+    explainers.push_back(&actions);
   }
-  for (const Explanation& explanation : explainer.explanations()) {
-    if (explanation.utime != nearest->utime) continue;
-    std::cout << fmt::format("at {:.2f} s {}\n",
-                             static_cast<double>(explanation.utime) * 1e-6,
-                             Printable(explanation.what));
-    for (const std::string& reason : explanation.reasons) {
-      std::cout << "  " << Printable(reason) << '\n';
+  if (options.about != kRecognition && HasPlanner(run.roster)) {
+    if (const auto difference = Decide(run, &decisions)) {
+      std::cerr << Printable(options.run + ": the planner of this build " +
+                             "decides otherwise than the log says (" +
+                             *difference +
+                             "): only what it decided before is explained")
+                << '\n';
     }
+    explainers.push_back(&decisions);
   }
-  return 0;
+  bool has_any = false;
+  for (const Explainer* explainer : explainers) {
+    const auto nearest =
+        NearestTo(static_cast<int64_t>(options.at * 1e6), explainer->Utimes());
+    if (!nearest) continue;
+    for (const Explanation& why : explainer->At(*nearest)) Print(why);
+    has_any = true;
+  }
+  if (has_any) return 0;
+  throw std::runtime_error(options.run + ": the log shows nothing to explain");
 }
 
 }  // namespace
@@ -66,14 +117,27 @@ void AddExplain(CLI::App& app, Action* action) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand(
       "explain",
-      "Say why the action nearest to a moment of a recorded run was "
-      "recognised, or why it was unknown: which model, what of it held, and "
-      "what the next best one lacked. Computed again from the log.\n"
+      "Say why the manipulation and the decision that are nearest to a moment "
+      "of a recorded run were so.\n"
+      "Of a manipulation: why it was recognised, or why it was unknown: which "
+      "model, what of it held, and what the next best one lacked.\n"
+      "Of a decision: why an arm was asked for an action, why the person was "
+      "asked or warned, what the plan was: the rule that covers the action, "
+      "what it and the best others are worth, what had failed, which "
+      "preconditions are missing, which steps a mistake has added.\n"
+      "Recognizer and planner compute it again from the log.\n"
       "Example: cell explain runs/demo-0001 --at 41.5");
   command->add_option("run", options->run, "run folder")->required();
   command->add_option("--at", options->at, "s since the start of the run")
       ->check(CLI::Range(0.0, 1e9))
       ->required();
+  command
+      ->add_option("--about", options->about,
+                   "only recognition, or only decisions (default: both)")
+      ->check(CLI::IsMember({kRecognition, kDecisions}));
+  command->add_flag("--verbose", options->is_verbose,
+                    "also all other actions: how much worse they are, or why "
+                    "they are not possible");
   command->callback([=] {
     *action = [=] {
       return RunExplain(*options);

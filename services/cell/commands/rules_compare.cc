@@ -23,7 +23,6 @@
 namespace cell::cli {
 namespace {
 
-using planner::Plan;
 using planner::PlanSearch;
 
 struct CompareOptions {
@@ -99,8 +98,8 @@ bool IsPossible(const RuleSet& rules, const GroundAction& action,
              .size() == 1;
 }
 
-void Count(const Plan& reference, const Plan& learned, bool is_invalid,
-           PlanCounts* counts) {
+void Count(const planner::Plan& reference, const planner::Plan& learned,
+           bool is_invalid, PlanCounts* counts) {
   counts->num_invalid += is_invalid;
   if (reference.leads_to_goal() != learned.leads_to_goal()) {
     ++(reference.leads_to_goal() ? counts->num_lost : counts->num_gained);
@@ -121,7 +120,7 @@ PlanCounts ComparePlans(const Comparison& comparison, const Goal& goal,
   for (const State& state : comparison.states) {
     progress->Show(
         fmt::format("plan {} of {}", ++number, comparison.states.size()));
-    const Plan plan = learned.Find(state);
+    const planner::Plan plan = learned.Find(state);
     const bool is_invalid =
         !plan.steps.empty() &&
         !IsPossible(*comparison.reference, plan.steps[0].action, state);

@@ -95,10 +95,13 @@ void AddViolations(const MotionCheck& check, json* row) {
 
 json RunAssembly(const std::string& script, uint64_t seed,
                  const Deployment& deployment, const Roster& roster,
-                 const Intervention& intervene) {
+                 const Intervention& intervene, const std::string& goal) {
   const Task task = LoadTask(deployment);
-  const auto success = SuccessCriterion::FromConfig(
-      deployment.OfTask("success.yaml"), task.domain, task.parts);
+  auto success = SuccessCriterion::FromConfig(deployment.OfTask("success.yaml"),
+                                              task.domain, task.parts);
+  if (!goal.empty()) {
+    success = success.ForGoal(*task.domain.FindGoal(goal));
+  }
   AssemblyObserver observer(success);
   MotionCheck check(task.layout, task.parts);
   SimBus bus(roster, AllServices(deployment, script, seed));

@@ -21,11 +21,13 @@ inline constexpr char kExecutionScript[] = "execution";
 /// the ground truth at its end, its motions checked on the way. `script`: of
 /// the task's demonstrators.yaml. `intervene`: called before the run; its
 /// result receives every message and may schedule outages of services.
+/// `goal`: by which the end is scored; empty: that of success.yaml.
 using Intervention =
     std::function<std::function<void(const Message&)>(SimBus& bus)>;
 nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
                            const Deployment& deployment, const Roster& roster,
-                           const Intervention& intervene = {});
+                           const Intervention& intervene = {},
+                           const std::string& goal = "");
 
 /// What such a row says of an assembly that was observed and checked.
 /// @pre there were enough poses for a score.

@@ -1,11 +1,15 @@
 #include "services/cell/evaluations/disturbed_evaluation.h"
 
-#include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "common/task/task.h"
 #include "services/cell/evaluations/assembly_row.h"
 #include "services/cell/evaluations/row_measures.h"
+#include "services/cell/scoring/true_progress.h"
+#include "services/vtb/script.h"
 
 namespace cell::cli {
 namespace {
@@ -33,6 +37,22 @@ bool IsWhole(const json& row) {
   return row.at("complete") && row.at("state") == "done";
 }
 
+/// All that does not need what a person has taken away is in place, and nothing
+/// that has to wait for it.
+bool IsAllElsePlaced(const json& row, const Deployment& deployment) {
+  const Task task = LoadTask(deployment);
+  std::map<std::string, int> empty;
+  for (const auto& name : row.at("missing").get<std::vector<std::string>>()) {
+    const Site* site = task.parts.FindSite(name);
+    if (site != nullptr) ++empty[site->type];
+  }
+  return empty == EmptySitesWithout(
+                      row.at("touched").get<std::set<std::string>>(),
+                      vtb::Demonstrations::FromConfig(
+                          deployment.OfTask("demonstrators.yaml"), task.parts),
+                      task.parts);
+}
+
 bool AsksForWhatIsMissing(const json& row) {
   return row.at("state") == "stuck" && row.at("named") == row.at("touched");
 }
@@ -46,13 +66,8 @@ class DisturbedEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 24; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    AddTrials(kSolvable, runs, seed, &trials);
-    AddTrials(kUnsolvable,
-              std::max(2, static_cast<int>(runs * kUnsolvableShare + 0.5)),
-              seed, &trials);
-    return trials;
+  std::vector<TrialGroup> groups() const override {
+    return {{kSolvable}, {kUnsolvable, kUnsolvableShare, 2}};
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
@@ -61,6 +76,7 @@ class DisturbedEvaluation final : public Evaluation {
     const std::string& script = scripts[trial.seed % scripts.size()];
     json row = RunAssembly(script, trial.seed, deployment, roster);
     row["script"] = script;
+    row["all_else_placed"] = IsAllElsePlaced(row, deployment);
     return row;
   }
 
@@ -73,7 +89,12 @@ class DisturbedEvaluation final : public Evaluation {
                IsDisturbed),
         RunsOf(rows, kUnsolvable,
                "runs that end by asking for exactly the missing part",
-               AsksForWhatIsMissing)};
+               AsksForWhatIsMissing),
+        RunsOf(rows, kUnsolvable,
+               "runs in which before that all else is placed",
+               [](const json& row) {
+                 return AsksForWhatIsMissing(row) && row.at("all_else_placed");
+               })};
     for (const char* group : {kSolvable, kUnsolvable}) {
       measures.push_back(RunsOf(rows, group, "runs without a breach of limits",
                                 HasKeptLimits));

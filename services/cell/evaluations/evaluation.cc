@@ -1,8 +1,12 @@
 #include "services/cell/evaluations/evaluation.h"
 
+#include <algorithm>
+
+#include "services/cell/evaluations/alarms_evaluation.h"
 #include "services/cell/evaluations/assembly_evaluation.h"
 #include "services/cell/evaluations/disturbed_evaluation.h"
 #include "services/cell/evaluations/from_nothing_evaluation.h"
+#include "services/cell/evaluations/goals_evaluation.h"
 #include "services/cell/evaluations/insertion_evaluation.h"
 #include "services/cell/evaluations/keyframes_evaluation.h"
 #include "services/cell/evaluations/one_showing_evaluation.h"
@@ -20,25 +24,28 @@ std::string Measure::verdict() const {
                              : "met, but few trials";
 }
 
-void AddTrials(const std::string& group, int num, uint64_t seed,
-               std::vector<Trial>* trials) {
-  for (int i = 0; i < num; ++i) {
-    trials->push_back({group, seed + static_cast<uint64_t>(i)});
-  }
-}
-
-std::vector<Trial> Evaluation::Trials(int runs, uint64_t seed) const {
+std::vector<Trial> Evaluation::Trials(int runs, uint64_t seed,
+                                      const std::string& group) const {
   std::vector<Trial> trials;
-  AddTrials(name(), runs, seed, &trials);
+  for (const TrialGroup& g : groups()) {
+    if (!group.empty() && g.name != group) continue;
+    const double share = group.empty() ? g.share : 1;
+    const int num = std::max(g.least, static_cast<int>(runs * share + 0.5));
+    for (int i = 0; i < num; ++i) {
+      trials.push_back({g.name, seed + static_cast<uint64_t>(i)});
+    }
+  }
   return trials;
 }
 
 std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   std::vector<std::unique_ptr<Evaluation>> all;
   all.push_back(MakeWatchEvaluation());
+  all.push_back(MakeAlarmsEvaluation());
   all.push_back(MakeAssemblyEvaluation());
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
+  all.push_back(MakeGoalsEvaluation());
   all.push_back(MakeFromNothingEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());

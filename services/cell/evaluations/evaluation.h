@@ -42,9 +42,12 @@ struct Trial {
   uint64_t seed = 0;
 };
 
-/// Adds `num` trials of the group, with seeds from `seed` on.
-void AddTrials(const std::string& group, int num, uint64_t seed,
-               std::vector<Trial>* trials);
+/// Runs of one kind.
+struct TrialGroup {
+  std::string name;
+  double share = 1;  ///< of the number of runs that is asked for
+  int least = 1;     ///< runs, however few are asked for
+};
 
 /// What `cell eval NAME` measures. Each trial becomes one row (JSON); the
 /// measures are a function of the rows.
@@ -58,7 +61,11 @@ class Evaluation {
   virtual std::string description() const = 0;
   virtual int default_runs() const = 0;
   /// By default one group, which has the evaluation's name.
-  virtual std::vector<Trial> Trials(int runs, uint64_t seed) const;
+  virtual std::vector<TrialGroup> groups() const { return {{name()}}; }
+  /// Of each group, with seeds from `seed` on; with `group`, of this one only,
+  /// and all `runs` of it.
+  std::vector<Trial> Trials(int runs, uint64_t seed,
+                            const std::string& group = "") const;
   virtual nlohmann::json RunTrial(const Trial& trial,
                                   const Deployment& deployment,
                                   const Roster& roster) const = 0;

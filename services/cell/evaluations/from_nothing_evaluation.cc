@@ -46,22 +46,14 @@ class FromNothingEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 20; }
 
-  /// The episodes of a run have consecutive seeds.
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    for (int i = 0; i < runs; ++i) {
-      AddTrials(kGroup, 1, seed + kNumEpisodes * static_cast<uint64_t>(i),
-                &trials);
-    }
-    return trials;
-  }
-
+  /// The episodes of a run have consecutive seeds: no two runs share one.
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
+    const uint64_t seed = kNumEpisodes * trial.seed;
     const TemporaryFolder folder("from-nothing");
     const RunFolder run =
         RunFolder::Create((folder.path() / "run").string(), "eval", deployment,
-                          kTaughtEpisodes, trial.seed);
+                          kTaughtEpisodes, seed);
     run.LearnFromNothing();
     Deployment of_run = run.deployment;
     of_run.run_dir.clear();  // no log
@@ -69,7 +61,7 @@ class FromNothingEvaluation final : public Evaluation {
     const auto success = SuccessCriterion::FromConfig(
         of_run.OfTask("success.yaml"), task.domain, task.parts);
     TaughtEpisodes episodes(task, success);
-    SimBus bus(roster, AllServices(of_run, kTaughtEpisodes, trial.seed));
+    SimBus bus(roster, AllServices(of_run, kTaughtEpisodes, seed));
     RunToEnd(bus, [&](const Message& message) { episodes.Put(message); });
     const json rows = episodes.Rows();
     return {{"episodes", rows}, {"taught", IsTaughtFrom(rows, kAlone)}};

@@ -129,12 +129,8 @@ class InsertionEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 20; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
-    for (const char* group : {kSearch, kNoSearch}) {
-      AddTrials(group, runs, seed, &trials);
-    }
-    return trials;
+  std::vector<TrialGroup> groups() const override {
+    return {{kSearch}, {kNoSearch}};
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,

@@ -1,6 +1,5 @@
 #include "services/cell/evaluations/watch_evaluation.h"
 
-#include <algorithm>
 #include <array>
 
 #include "services/cell/evaluations/row_measures.h"
@@ -49,14 +48,13 @@ class WatchEvaluation final : public Evaluation {
   }
   int default_runs() const override { return 50; }
 
-  std::vector<Trial> Trials(int runs, uint64_t seed) const override {
-    std::vector<Trial> trials;
+  std::vector<TrialGroup> groups() const override {
+    std::vector<TrialGroup> groups;
     for (const Group& group : kGroups) {
-      const int num = std::max(static_cast<int>(group.scripts.size()),
-                               static_cast<int>(runs * group.share + 0.5));
-      AddTrials(group.name, num, seed, &trials);
+      groups.push_back(
+          {group.name, group.share, static_cast<int>(group.scripts.size())});
     }
-    return trials;
+    return groups;
   }
 
   json RunTrial(const Trial& trial, const Deployment& deployment,

@@ -179,6 +179,22 @@ ActionExplainer::ActionExplainer(const recognizer::Recognizer::Params& params)
   Begin();
 }
 
+std::vector<int64_t> ActionExplainer::Utimes() const {
+  std::vector<int64_t> utimes;
+  for (const Explanation& explanation : explanations_) {
+    utimes.push_back(explanation.utime);
+  }
+  return utimes;
+}
+
+std::vector<Explanation> ActionExplainer::At(int64_t utime) const {
+  std::vector<Explanation> explanations;
+  for (const Explanation& explanation : explanations_) {
+    if (explanation.utime == utime) explanations.push_back(explanation);
+  }
+  return explanations;
+}
+
 void ActionExplainer::Begin() {
   library_ = params_.make_library(actions_);
   recognition_ = std::make_unique<recognizer::Recognition>(

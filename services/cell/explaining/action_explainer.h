@@ -16,10 +16,12 @@ class ActionExplainer final : public Explainer {
  public:
   explicit ActionExplainer(const recognizer::Recognizer::Params& params);
 
-  void Put(const Message& message) override;
-  const std::vector<Explanation>& explanations() const override {
-    return explanations_;
-  }
+  /// Takes the messages in canonical order.
+  void Put(const Message& message);
+  const std::vector<Explanation>& explanations() const { return explanations_; }
+
+  std::vector<int64_t> Utimes() const override;
+  std::vector<Explanation> At(int64_t utime) const override;
 
  private:
   void Begin();

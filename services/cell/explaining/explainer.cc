@@ -5,13 +5,11 @@
 
 namespace cell::cli {
 
-std::optional<Explanation> NearestTo(
-    int64_t utime, const std::vector<Explanation>& explanations) {
+std::optional<int64_t> NearestTo(int64_t utime,
+                                 const std::vector<int64_t>& utimes) {
   const auto nearest = std::ranges::min_element(
-      explanations, {}, [utime](const Explanation& explanation) {
-        return std::llabs(explanation.utime - utime);
-      });
-  if (nearest == explanations.end()) return std::nullopt;
+      utimes, {}, [utime](int64_t other) { return std::llabs(other - utime); });
+  if (nearest == utimes.end()) return std::nullopt;
   return *nearest;
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "common/bus/message.h"
 #include "services/cell/explaining/explanation.h"
 
 namespace cell::cli {
 
-/// Explains one kind of thing that a cell does, from the messages of its log,
-/// by computing again what a service has computed. Never from ground truth.
+/// Explains one kind of thing that a cell did in a recorded run, by computing
+/// again what a service has computed. Never from ground truth.
 class Explainer {
  public:
   Explainer() = default;
@@ -17,14 +17,15 @@ class Explainer {
   Explainer& operator=(const Explainer&) = delete;
   virtual ~Explainer() = default;
 
-  /// Takes the messages in canonical order.
-  virtual void Put(const Message& message) = 0;
-  /// Of all that has come, in its order.
-  virtual const std::vector<Explanation>& explanations() const = 0;
+  /// [us] of all that it can explain, in the order of the log.
+  virtual std::vector<int64_t> Utimes() const = 0;
+  /// All that it can explain of this moment [us].
+  virtual std::vector<Explanation> At(int64_t utime) const = 0;
 };
 
-/// The explanation nearest in time to `utime` [us], of equals the first.
-std::optional<Explanation> NearestTo(
-    int64_t utime, const std::vector<Explanation>& explanations);
+/// The one nearest to `utime` [us], of equals the first; nullopt if there is
+/// none.
+std::optional<int64_t> NearestTo(int64_t utime,
+                                 const std::vector<int64_t>& utimes);
 
 }  // namespace cell::cli

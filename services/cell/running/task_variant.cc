@@ -9,6 +9,8 @@
 
 #include "common/files/draft.h"
 #include "common/recordings/recording_file.h"
+#include "common/task/task.h"
+#include "services/vtb/script.h"
 
 namespace cell::cli {
 namespace {
@@ -40,6 +42,21 @@ void Merge(const YAML::Node& change, const std::string& where,
     } else {
       node[key] = entry.second;
     }
+  }
+}
+
+/// @throws ConfigError: what is wrong in a file of the changed task is, as long
+/// as the task itself is sound, wrong under the same key of the variant.
+void CheckVaried(const Deployment& varied, const fs::path& variant) {
+  try {
+    const Task task = LoadTask(varied);
+    vtb::Demonstrations::FromConfig(varied.OfTask("demonstrators.yaml"),
+                                    task.parts);
+  } catch (const ConfigError& e) {
+    std::string what = e.what();
+    const std::string folder = (varied.task_dir / "").string();
+    if (what.starts_with(folder)) what.erase(0, folder.size());
+    throw ConfigError(variant.string() + ": " + what);
   }
 }
 
@@ -93,6 +110,8 @@ VariedTask::VariedTask(const Deployment& source, const std::string& variant)
              fs::copy_options::recursive);
   }
   ApplyVariant(deployment_.task_dir, variant);
+  CheckVaried(deployment_,
+              source.task_dir / kVariantsFolder / (variant + kExtension));
 }
 
 }  // namespace cell::cli

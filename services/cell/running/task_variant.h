@@ -31,7 +31,8 @@ void ApplyVariant(const std::filesystem::path& task_dir,
 /// exists.
 class VariedTask {
  public:
-  /// @throws like ApplyVariant().
+  /// @throws like ApplyVariant(); ConfigError naming the variant if the task
+  /// makes no sense with it.
   VariedTask(const Deployment& source, const std::string& variant);
 
   const Deployment& deployment() const { return deployment_; }

@@ -12,16 +12,16 @@ namespace cell::cli {
 namespace {
 
 using Events = std::vector<ContactEvent>;
-using Kind = std::pair<ObjectPair, bool>;
+using PairEvent = std::pair<ObjectPair, bool>;
 
-Kind KindOf(const ContactEvent& event) {
+PairEvent PairEventOf(const ContactEvent& event) {
   return {event.pair, event.is_touch};
 }
 
-std::map<Kind, std::vector<int64_t>> TimesOf(const Events& events) {
-  std::map<Kind, std::vector<int64_t>> times;
+std::map<PairEvent, std::vector<int64_t>> TimesOf(const Events& events) {
+  std::map<PairEvent, std::vector<int64_t>> times;
   for (const ContactEvent& event : events) {
-    times[KindOf(event)].push_back(event.utime);
+    times[PairEventOf(event)].push_back(event.utime);
   }
   return times;
 }
@@ -92,11 +92,12 @@ bool IsExact(const Events& truth, const Events& found, int64_t tolerance_us) {
     return a.first == b.first && a.second.size() == b.second.size();
   };
   if (!std::ranges::equal(of_truth, of_found, has_same_number)) return false;
-  std::map<Kind, size_t> num_before;
+  std::map<PairEvent, size_t> num_before;
   std::vector<std::pair<int64_t, int64_t>> times;  // true, found
   for (const ContactEvent& event : truth) {
-    const auto& found_times = of_found.at(KindOf(event));
-    times.emplace_back(event.utime, found_times[num_before[KindOf(event)]++]);
+    const auto& found_times = of_found.at(PairEventOf(event));
+    times.emplace_back(event.utime,
+                       found_times[num_before[PairEventOf(event)]++]);
   }
   for (const auto& [true_a, found_a] : times) {
     for (const auto& [true_b, found_b] : times) {
@@ -106,7 +107,7 @@ bool IsExact(const Events& truth, const Events& found, int64_t tolerance_us) {
   return true;
 }
 
-using Columns = std::vector<std::set<Kind>>;
+using Columns = std::vector<std::set<PairEvent>>;
 
 /// Changes within `merge_us` of the first of a column are in it.
 Columns ColumnsOf(const Events& events, int64_t merge_us) {
@@ -117,7 +118,7 @@ Columns ColumnsOf(const Events& events, int64_t merge_us) {
       columns.emplace_back();
       first = event.utime;
     }
-    columns.back().insert(KindOf(event));
+    columns.back().insert(PairEventOf(event));
   }
   return columns;
 }

@@ -38,6 +38,7 @@ void EpisodeObserver::Put(const Message& message) {
   } else if (message.channel == "KEY_FRAME") {
     if (const auto frame = Decode<key_frame_t>(message)) {
       record.key_frame_utimes[frame->index] = frame->header.utime;
+      record.key_frame_ticks[frame->index] = frame->header.tick;
     }
   } else if (message.channel == "TRUTH_POSES") {
     // Poses between two episodes belong to neither.

@@ -30,6 +30,7 @@ struct EpisodeRecord {
   std::vector<alert_t> alerts;
   std::vector<plan_t> plans;
   std::map<int64_t, int64_t> key_frame_utimes;  ///< by index
+  std::map<int64_t, int32_t> key_frame_ticks;   ///< of publication, by index
   std::vector<asked_skill_t> requests;
   std::vector<skill_result_t> results;
   std::optional<execution_t> execution;  ///< the last

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace cell::cli {
@@ -98,6 +99,20 @@ SuccessCriterion SuccessCriterion::Load(const Deployment& deployment) {
   return FromConfig(deployment.OfTask("success.yaml"),
                     Domain::FromConfig(deployment.OfTask("domain.yaml"), parts),
                     parts);
+}
+
+SuccessCriterion SuccessCriterion::ForGoal(const Goal& goal) const {
+  for (const Literal& literal : goal.literals) {
+    if (literal.is_static || !seats.contains(literal.relation)) {
+      throw std::invalid_argument(
+          fmt::format("{}, which the goal '{}' wants, cannot be scored: "
+                      "success.yaml does not say when it holds",
+                      cell::Show(literal, {}, vocabulary), goal.name));
+    }
+  }
+  SuccessCriterion other = *this;
+  other.literals = goal.literals;
+  return other;
 }
 
 const Part& SuccessCriterion::PartOf(const GroundAtom& atom) const {

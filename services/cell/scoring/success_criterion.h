@@ -39,6 +39,9 @@ struct SuccessCriterion {
   static SuccessCriterion FromConfig(const Config& config, const Domain& domain,
                                      const PartTable& parts);
   static SuccessCriterion Load(const Deployment& deployment);
+  /// The same for another goal of the domain.
+  /// @throws std::invalid_argument for a literal that no seat is known for.
+  SuccessCriterion ForGoal(const Goal& goal) const;
 
   /// The part and the site of an atom of one of the predicates.
   const Part& PartOf(const GroundAtom& atom) const;

@@ -98,14 +98,21 @@ TEST_F(ActionExplainerTest, AnEpisodeBeginsWithoutWhatWasInHand) {
   EXPECT_THAT(explainer_.explanations(), IsEmpty());
 }
 
+TEST_F(ActionExplainerTest, WhatIsOfAMomentIsGivenForIt) {
+  Manipulate("round_peg_1",
+             [this] { stage_.Seat("round_peg_1", "base.round_1"); });
+  EXPECT_THAT(explainer_.Utimes(), testing::ElementsAre(2'000'000));
+  EXPECT_THAT(explainer_.At(2'000'000), SizeIs(1));
+  EXPECT_THAT(explainer_.At(2'000'001), IsEmpty());
+}
+
 TEST(Explanations, TheNearestIsGiven) {
   EXPECT_FALSE(NearestTo(0, {}));
-  const std::vector<Explanation> all = {
-      {10, "first", {}}, {20, "second", {}}, {40, "third", {}}};
-  EXPECT_EQ(NearestTo(0, all)->what, "first");
-  EXPECT_EQ(NearestTo(15, all)->what, "first");
-  EXPECT_EQ(NearestTo(29, all)->what, "second");
-  EXPECT_EQ(NearestTo(31, all)->what, "third");
+  const std::vector<int64_t> all = {10, 20, 40};
+  EXPECT_EQ(NearestTo(0, all), 10);
+  EXPECT_EQ(NearestTo(15, all), 10);
+  EXPECT_EQ(NearestTo(29, all), 20);
+  EXPECT_EQ(NearestTo(31, all), 40);
 }
 
 }  // namespace

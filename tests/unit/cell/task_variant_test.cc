@@ -70,6 +70,26 @@ TEST_F(TaskVariant, WhatMakesNoSenseIsNamed) {
   EXPECT_THAT(Complaint("d"), HasSubstr("no variant 'd'; known: a, b, c"));
 }
 
+TEST_F(TaskVariant, ANameThatTheTaskDoesNotKnowIsFoundUnderItsKey) {
+  Write("a",
+        "demonstrators.yaml:\n"
+        "  scripts: {execution: {start: {shift: {lying: true}}}}\n");
+  Write("b", "domain.yaml: {types: {cone: movables}}\n");
+  const auto complaint = [&](const char* name) -> std::string {
+    try {
+      const VariedTask varied(task_.get(), name);
+      return "";
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+  };
+  EXPECT_THAT(complaint("a"),
+              HasSubstr("variants/a.yaml: demonstrators.yaml:scripts."
+                        "execution.start.shift: no part is named 'shift'"));
+  EXPECT_THAT(complaint("b"), HasSubstr("variants/b.yaml: domain.yaml:"));
+  EXPECT_THAT(complaint("b"), HasSubstr("movables"));
+}
+
 TEST_F(TaskVariant, EachThatIsShippedLoads) {
   for (const std::string& name : VariantsOf(ShippedDeployment().task_dir)) {
     const VariedTask varied(ShippedDeployment(), name);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cell/episode_t.hpp"
@@ -44,7 +45,7 @@ class TaughtEpisodesTest : public testing::Test {
       truth_poses_t truth{};
       for (const Part& part : task_.parts.parts()) {
         truth.bodies.push_back(
-            {part.name, PoseToMessage(stage_.PoseOf(part.name))});
+            {part.name, PoseToMessage(stage_->PoseOf(part.name))});
       }
       truth.num_bodies = static_cast<int32_t>(truth.bodies.size());
       Put("TRUTH_POSES", truth);
@@ -55,7 +56,7 @@ class TaughtEpisodesTest : public testing::Test {
   }
 
   ShippedTask task_;
-  Stage stage_{task_};
+  std::optional<Stage> stage_{std::in_place, task_};
   SuccessCriterion success_ = SuccessCriterion::Load(ShippedDeployment());
   TaughtEpisodes episodes_{task_, success_};
   int64_t utime_ = 0;
@@ -68,10 +69,10 @@ TEST_F(TaughtEpisodesTest, EachEpisodeHasItsOwnQuestionsAndScore) {
   Ask("", execution_t::RUNNING);
   Ask("please show me that");
   Rest();
-  stage_.SeatAll();
+  stage_->SeatAll();
   Rest();
   Episode(episode_t::END);
-  stage_ = Stage(task_);
+  stage_.emplace(task_);
   Rest();  // the parts are laid out anew
   Episode(episode_t::START);
   Rest();

@@ -119,6 +119,30 @@ TEST_F(ShippedRules, AreLearnedOfEveryActionOfAPerson) {
   }
 }
 
+/// A part of which no experience says that it cannot be taken needs to be taken
+/// all the same, since of other parts some do.
+TEST_F(ShippedRules, NeedWhatWasSeenToChangeOfOtherPartsOnly) {
+  const rules::World& world = *task_.world.world();
+  const rules::NdrRules& rules = rules_;
+  const auto clear = [&](const rules::WorldState& state, int object) {
+    return rules::Holds(
+        {*world.symbols().Find("Clear"), {{rules::Term::Kind::kVariable, 0}}},
+        std::vector<int>{object}, state, world);
+  };
+  int num_rules = 0;
+  for (const rules::Rule& rule : rules.rules) {
+    if (world.symbols()[rule.action].name != "ScrewHead") continue;
+    ++num_rules;
+    EXPECT_THAT(rules::ToText(rule, *rules.symbols), HasSubstr(" Clear(X)"));
+  }
+  EXPECT_GT(num_rules, 0);
+  for (const rules::Experience& e : experiences_) {
+    if (world.symbols()[e.act.action].name != "ScrewHead") continue;
+    ASSERT_TRUE(clear(e.before, e.act.arguments[0]));
+    ASSERT_TRUE(clear(e.after, e.act.arguments[0]));
+  }
+}
+
 /// Learns from placements that are valid by the rules, in random orders.
 TEST(RuleLessons, WhatHeldBeforeEachSuccessBecomesACondition) {
   const CranfieldRules task;

@@ -285,6 +285,40 @@ TEST(PlanSearch, NamesWhatConcernsOneObjectWhereFlippingAllIsNoWay) {
   EXPECT_THAT(plan.reason, HasSubstr("Dark(study) is true"));
 }
 
+constexpr char kBolts[] =
+    "types: {bolt: object, hole: object}\n"
+    "constants: {bolt_1: bolt, bolt_2: bolt, hole_1: hole, hole_2: hole}\n"
+    "predicates:\n"
+    "  In: {arguments: [bolt, hole]}\n"
+    "  Clear: {arguments: [bolt]}\n"
+    "actions:\n"
+    "  Insert:\n"
+    "    arguments: {X: bolt, Y: hole}\n"
+    "    rules:\n"
+    "      - context: [Clear(X), \"not In(X, _)\", \"not In(_, Y)\"]\n"
+    "        outcomes: [{probability: 1, effects: [\"In(X, Y)\"]}]\n"
+    "        noise: 0\n"
+    "goals: {done: [\"In(bolt_1, hole_2)\", \"In(bolt_2, hole_1)\"]}\n";
+
+TEST(PlanSearch, AsksToUndoWhatExcludesTheGoal) {
+  Puzzle problem(kBolts);
+  State state =
+      problem.With({"Clear(bolt_1)", "Clear(bolt_2)", "In(bolt_1, hole_1)"});
+  const Plan plan = problem.search().Find(state);
+  EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
+  ASSERT_EQ(plan.needed.size(), 1U) << plan.reason;
+  EXPECT_EQ(plan.needed[0].truth, Truth::kFalse);
+  EXPECT_THAT(plan.reason, HasSubstr("not In(bolt_1, hole_1)"));
+}
+
+TEST(PlanSearch, AsksToUndoNothingWhereSomethingElseHelps) {
+  Puzzle problem(kBolts);
+  const Plan plan = problem.Find({"Clear(bolt_1)", "In(bolt_1, hole_2)"});
+  EXPECT_EQ(plan.result, Plan::Result::kNoPlan);
+  ASSERT_EQ(plan.needed.size(), 1U) << plan.reason;
+  EXPECT_THAT(plan.reason, HasSubstr("needs Clear(bolt_2)"));
+}
+
 TEST(PlanSearch, WhatIsUnknownLeavesThePlanUndecidedOnlyIfItMatters) {
   Puzzle problem(kDoor);
   State state = problem.With({"In(hall)"});

@@ -91,6 +91,42 @@ TEST_F(GuidanceOnPlacing, AnAlternativeSwapsTheWrongPrecondition) {
   }
 }
 
+TEST_F(GuidanceOnPlacing, AnAlternativeMaySpeakOfAnyObject) {
+  // Placing red failed after the lid was placed, and there was no cover any
+  // more. What of the two was it?
+  NdrRules rules = task_.truth;
+  const int placed = Of("placed", 0).symbol;
+  const int cover = *task_.world->symbols().Find("cover");
+  const int lid = *task_.world->FindObject("lid");
+  rules.rules[0].context[0] = {
+      placed, {{Term::Kind::kObject, lid}}, Comparison::kFalse, 0};
+  const std::vector<int> of_lid = {lid};
+  WorldState lid_is_placed = task_.initial;
+  World::Set(&lid_is_placed, task_.world->PlaceOf(placed, of_lid), true);
+  WorldState without_cover = lid_is_placed;
+  World::Set(&without_cover, task_.world->PlaceOf(cover, of_lid), false);
+  const GroundAct red{rules.rules[0].action, {0}};
+  WorldState red_is_placed = task_.initial;
+  World::Set(&red_is_placed, task_.world->PlaceOf(placed, red.arguments), true);
+  const std::vector<Experience> seen = {{task_.initial, red, red_is_placed},
+                                        {without_cover, red, without_cover}};
+
+  Guidance guidance;
+  guidance.blocked_acts.push_back({red, rules.rules[0].context[0]});
+  const auto alternatives =
+      RuleAlternatives(rules, *task_.world, lid_is_placed, guidance, seen);
+  const Literal any_cover{cover, {{Term::Kind::kAny, 0}}, Comparison::kTrue, 0};
+  EXPECT_TRUE(std::ranges::any_of(alternatives, [&](const NdrRules& other) {
+    return other.rules[0].context[0] == any_cover;
+  }));
+  for (const NdrRules& other : alternatives) {
+    const Rule& rule = other.rules[0];
+    EXPECT_TRUE(Bind(rule, red.arguments, task_.initial, *task_.world));
+    EXPECT_TRUE(Bind(rule, red.arguments, lid_is_placed, *task_.world));
+    EXPECT_FALSE(Bind(rule, red.arguments, without_cover, *task_.world));
+  }
+}
+
 /// The smallest number of changed atoms that helps, by trying all.
 int SmallestChange(const planning::GroundTask& task) {
   const size_t n = task.atoms.size();

@@ -44,6 +44,50 @@ TEST(RexdTask, RefusesEffectsForEachObject) {
   }
 }
 
+/// Of ParseChangedTask().
+std::string ComplaintOf(const std::string& changes) {
+  try {
+    ParseChangedTask(PlacingTask(), changes, "c");
+  } catch (const RuleError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ChangedTask, DiffersOnlyInWhatItsTextSays) {
+  const RexdTask task = PlacingTask();
+  const RexdTask changed = ParseChangedTask(
+      task, "# a comment\nchanges: placed(red) -book(blue)\n", "c");
+  const auto expected =
+      ParseState("book(red) cover(lid) placed(red)", "d", 1, *task.world);
+  EXPECT_EQ(changed.initial.bits, expected.bits);
+  EXPECT_EQ(changed.goal, task.goal);
+  EXPECT_EQ(changed.world, task.world);
+
+  const RexdTask other = ParseChangedTask(task, "goal: -placed(blue)", "c");
+  EXPECT_EQ(other.initial, task.initial);
+  EXPECT_TRUE(other.IsGoal(other.initial));
+  EXPECT_FALSE(task.IsGoal(task.initial));
+}
+
+TEST(ChangedTask, NamesTheLineOfAMistake) {
+  EXPECT_THAT(ComplaintOf("\nchanges: placed(green)"),
+              testing::StartsWith("c:2:"));
+  EXPECT_THAT(ComplaintOf("\nchanges: placed(green)"),
+              testing::HasSubstr("there is no object 'green'"));
+  EXPECT_THAT(ComplaintOf("changes: standing(red)"),
+              testing::HasSubstr("there is no predicate 'standing'"));
+  EXPECT_THAT(ComplaintOf("changes: placed(red lid)"),
+              testing::HasSubstr("'placed' has 1 arguments, not 2"));
+  EXPECT_THAT(ComplaintOf("goal: closed()\n\ngoal: closed()"),
+              testing::AllOf(testing::StartsWith("c:3:"),
+                             testing::HasSubstr("'goal:' is there twice")));
+  EXPECT_THAT(ComplaintOf("goal:"), testing::HasSubstr("the goal is empty"));
+  EXPECT_THAT(ComplaintOf("start: closed()"),
+              testing::AllOf(testing::StartsWith("c:1:"),
+                             testing::HasSubstr("expected 'changes: ...'")));
+}
+
 TEST_F(LearnerOfPlacing, AsksWhenItKnowsNoAction) {
   EXPECT_EQ(learner_.Decide(task_.initial).kind, Decision::Kind::kAsk);
 }
@@ -90,6 +134,30 @@ TEST(RunRexd, LearnsATaskAndDoesItWithoutATeacherThen) {
     EXPECT_EQ(episodes[3].num_demonstrations, 0) << seed;
     EXPECT_EQ(episodes[3].num_actions, 3) << seed;
   }
+}
+
+TEST(RunRexdInTurn, NeedsNoTeacherForWhatWasLearnedInAnotherTask) {
+  const RexdTask task = PlacingTask();
+  const RexdTask easier = ParseChangedTask(task, "changes: placed(red)", "c");
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    RunParams params;
+    params.seed = seed;
+    const auto blocks = RunRexdInTurn({task, easier}, params);
+    ASSERT_EQ(blocks.size(), 2u);
+    const auto scratch = RunRexd(easier, params);
+    EXPECT_EQ(blocks[0].front().num_actions,
+              RunRexd(task, params).front().num_actions);
+    EXPECT_EQ(blocks[1].front().num_demonstrations, 0) << seed;
+    EXPECT_GT(scratch.front().num_demonstrations, 0) << seed;
+    EXPECT_TRUE(blocks[1].back().is_goal_reached) << seed;
+  }
+}
+
+TEST(RunRexdInTurn, RefusesTasksOfAnotherWorld) {
+  const RexdTask task = PlacingTask();
+  const RexdTask other = PlacingTask();
+  EXPECT_THROW(RunRexdInTurn({task, other}, {}), std::invalid_argument);
+  EXPECT_THROW(RunRexdInTurn({}, {}), std::invalid_argument);
 }
 
 TEST(RunRexd, EqualSeedsGiveEqualRuns) {

@@ -70,5 +70,43 @@ TEST(Demonstrations, RefusesWhatItDoesNotKnowByFileAndKey) {
                              testing::HasSubstr("did you mean 'execution'?")));
 }
 
+/// Of a script whose parts start so.
+std::string ErrorOfStart(const std::string& start) {
+  const std::string script = "two_pegs: {hands: 1, place: [round_pegs]";
+  return ErrorOf(script + "}", script + ", start: {" + start + "}}");
+}
+
+TEST(Demonstrations, ReadWhereAPartIsAtTheStart) {
+  EXPECT_EQ(ErrorOfStart("shaft: {lying: true}"), "");
+  EXPECT_EQ(ErrorOfStart("separator: {site: base.separator}"), "");
+}
+
+TEST(Demonstrations, RefuseAStartThatCannotBe) {
+  using testing::HasSubstr;
+  EXPECT_THAT(
+      ErrorOfStart("shift: {lying: true}"),
+      testing::AllOf(
+          testing::StartsWith(
+              "demonstrations.yaml:scripts.two_pegs.start.shift: no part"),
+          HasSubstr("did you mean 'shaft'?")));
+  EXPECT_THAT(ErrorOfStart("base: {lying: true}"),
+              HasSubstr("'base' cannot be moved"));
+  EXPECT_THAT(ErrorOfStart("shaft: {}"),
+              HasSubstr("should be either {lying: true} or {site: NAME}"));
+  EXPECT_THAT(ErrorOfStart("shaft: {lying: true, site: base.shaft}"),
+              HasSubstr("should be either {lying: true} or {site: NAME}"));
+  EXPECT_THAT(ErrorOfStart("shaft: {standing: true, lying: true}"),
+              HasSubstr("standing"));
+  EXPECT_THAT(ErrorOfStart("shaft: {site: base.shift}"),
+              HasSubstr("start.shaft.site: no part has a site 'base.shift'"));
+  EXPECT_THAT(ErrorOfStart("shaft: {site: base.round_1}"),
+              HasSubstr("'shaft' does not fit 'base.round_1'"));
+  EXPECT_THAT(ErrorOfStart("head: {site: pendulum.head}"),
+              HasSubstr("'pendulum' lies anywhere at the start"));
+  EXPECT_THAT(ErrorOfStart("round_peg_1: {site: base.round_1}, "
+                           "round_peg_2: {site: base.round_1}"),
+              HasSubstr("another part starts at 'base.round_1'"));
+}
+
 }  // namespace
 }  // namespace cell
