@@ -52,6 +52,8 @@ Planner::Planner(Bus& bus, Knowledge knowledge,
   if (knowledge_.is_learning()) {
     bus_.Subscribe<experience_t>(
         "EXPERIENCE", [this](const auto& m) { return OnExperience(m); });
+    bus_.Subscribe<store_answer_t>("STORED",
+                                   [this](const auto& m) { OnStored(m); });
   }
   const RuleSet& rules = decision_maker_->rules();
   const ArmStates arms(rules.shared_vocabulary());
@@ -138,6 +140,15 @@ bool Planner::OnRecord(const action_record_t& message) {
   }
 }
 
+void Planner::OnStored(const store_answer_t& message) {
+  if (message.channel != "EXPERIENCE_REQUEST" ||
+      message.outcome == store_answer_t::STORED) {
+    return;
+  }
+  Refuse("EXPERIENCE_REQUEST",
+         "the library does not keep an experience: " + message.reason);
+}
+
 bool Planner::OnExperience(const experience_t& message) {
   if (message.action.empty()) {
     knowledge_.Remove(message.id);
@@ -175,7 +186,6 @@ void Planner::Keep(const TaskExperience& experience) {
       cell::ToMessage(experience, decision_maker_->rules().vocabulary());
   message.header.utime = bus_.now();
   bus_.Publish("EXPERIENCE_REQUEST", message);
-  static int64_t temp = 0;
 }
 
 bool Planner::OnReport(const std::string& arm, const arm_report_t& message) {

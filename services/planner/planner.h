@@ -14,6 +14,7 @@
 #include "cell/predicates_t.hpp"
 #include "cell/recognised_action_t.hpp"
 #include "cell/skill_result_t.hpp"
+#include "cell/store_answer_t.hpp"
 #include "common/bus/bus.h"
 #include "common/bus/command_answer.h"
 #include "common/bus/episode_gate.h"
@@ -51,6 +52,7 @@ class Planner final : public Service {
   bool OnAction(const recognised_action_t& message);
   bool OnRecord(const action_record_t& message);
   bool OnExperience(const experience_t& message);
+  void OnStored(const store_answer_t& message);
   bool OnReport(const std::string& arm, const arm_report_t& message);
   bool OnResult(const skill_result_t& message);
   Instant Now() const { return {bus_.now(), bus_.tick()}; }

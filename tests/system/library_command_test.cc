@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "services/library/open_store.h"
+#include "services/library/sqlite_action_store.h"
 #include "tests/system/run_cell.h"
 #include "tests/unit/stage_testing.h"
 
@@ -94,6 +95,91 @@ TEST_F(LibraryCommand, AnotherActionOfTheSameNameIsRefused) {
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.output, HasSubstr("actions[0]: 'PlaceRoundPeg' already "
                                     "exists, with id 1 and version 1"));
+}
+
+/// With the experiences of a peg that was put in, by a person and by an arm,
+/// and one of an action without a record.
+class LibraryOfExperiences : public LibraryCommand {
+ protected:
+  void SetUp() override {
+    LibraryCommand::SetUp();
+    SqliteActionStore store(dir_ / "a" / kDatabaseName,
+                            SqliteActionStore::Mode::kExisting);
+    ExperienceRecord experience;
+    experience.action = "PlaceRoundPeg";
+    experience.objects = {"round_peg_1", "base.round_1"};
+    experience.agent = "person";
+    experience.before = {"Clear(round_peg_1)", "Free(base.round_1)"};
+    experience.after = {"Clear(round_peg_1)",
+                        "PegInHole(round_peg_1, base.round_1)"};
+    experience.demonstration = "assembly 5";
+    store.Keep(experience, kBeforeRun);
+    experience.agent = "robot";
+    experience.after = experience.before;
+    store.Keep(experience, kBeforeRun);
+    experience.action = "Action1";
+    store.Keep(experience, kBeforeRun);
+  }
+};
+
+TEST_F(LibraryOfExperiences, SaysHowManyOfWhatThereAre) {
+  const std::string list = Cell("library list --database a").output;
+  EXPECT_THAT(list, testing::ContainsRegex(
+                        "PlaceRoundPeg +2 experiences: 1 by an arm, 1 without "
+                        "a change"));
+  EXPECT_THAT(
+      list, testing::ContainsRegex("Action1 +1 experience: .*no such action"));
+  EXPECT_THAT(Cell("library show 1 --database a").output,
+              HasSubstr("2 experiences: 1 by an arm"));
+}
+
+TEST_F(LibraryOfExperiences, AreExportedAndImported) {
+  EXPECT_THAT(Cell("library export all.json --database a").output,
+              HasSubstr("15 actions and 3 experiences are in all.json"));
+  EXPECT_THAT(Cell("library import all.json --database new.db").output,
+              HasSubstr("3 experiences imported, 0 already present"));
+  EXPECT_THAT(Cell("library import all.json --database new.db").output,
+              HasSubstr("0 experiences imported, 3 already present"));
+  EXPECT_EQ(Cell("library export new.json --database new.db").code, 0);
+  EXPECT_EQ(TextOf(dir_ / "new.json"), TextOf(dir_ / "all.json"));
+  Replace(dir_ / "all.json", "PegInHole(", "PegInHoel(");
+  const ShellResult strange =
+      Cell("library import all.json --database other.db");
+  EXPECT_EQ(strange.code, 1);
+  EXPECT_THAT(strange.output,
+              HasSubstr("all.json: experience 1: after[1]: the task has no "
+                        "predicate 'PegInHoel'; did you mean 'PegInHole'?"));
+  EXPECT_EQ(Cell("library list --database other.db").output, "");
+}
+
+TEST_F(LibraryOfExperiences, AreEditedWithTheirActions) {
+  EXPECT_THAT(Cell("library rename PlaceRoundPeg Plug --database a").output,
+              HasSubstr("2 experiences stored, 2 removed"));
+  EXPECT_THAT(Cell("library list --database a").output,
+              testing::ContainsRegex("Plug +2 experiences"));
+  EXPECT_THAT(Cell("library take-back 'assembly 5' --database a").output,
+              HasSubstr("0 experiences stored, 1 removed"));
+  EXPECT_EQ(Cell("library rollback 3 --database a").code, 0);
+  EXPECT_THAT(Cell("library list --database a").output,
+              testing::ContainsRegex("PlaceRoundPeg +2 experiences"));
+}
+
+TEST_F(LibraryOfExperiences, AreLearnedFromAndWrittenAsText) {
+  const std::string left_out =
+      "left out: experience 3: the library has no action Action1";
+  const ShellResult learned = Cell("learn rules --library a");
+  EXPECT_EQ(learned.code, 0);
+  EXPECT_THAT(learned.output, HasSubstr(left_out));
+  EXPECT_THAT(learned.output, HasSubstr("2 experiences, "));
+  fs::create_directories(dir_ / "text");
+  const ShellResult record =
+      Cell("rules record --library a --out text/a.experiences");
+  EXPECT_EQ(record.code, 0);
+  EXPECT_THAT(record.output, HasSubstr(left_out));
+  EXPECT_THAT(record.output,
+              HasSubstr("PlaceRoundPeg: 2 experiences, 1 without a change"));
+  const std::string again = Cell("learn rules --experiences text").output;
+  EXPECT_EQ(learned.output.substr(learned.output.find("2 experiences")), again);
 }
 
 TEST_F(LibraryCommand, AMissingDatabaseIsNamedAndNotMade) {

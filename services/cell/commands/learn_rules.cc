@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/experiences/rule_lessons.h"
@@ -13,7 +14,10 @@
 #include "common/node/cell_files.h"
 #include "common/rules/rule_text.h"
 #include "common/text/counted.h"
+#include "common/text/printable.h"
+#include "services/cell/commands/library_commands.h"
 #include "services/cell/commands/rules_files.h"
+#include "services/cell/learning/library_experiences.h"
 #include "services/cell/learning/run_experiences.h"
 
 namespace cell::cli {
@@ -26,28 +30,51 @@ constexpr char kOtherOut[] = "choose another --out or remove it";
 struct LearnRulesOptions {
   std::string deploy_dir;
   std::string experiences;
+  std::string library;
   std::string out;
 };
+
+/// What is learned from, and the words that it is in.
+struct Lessons {
+  RuleWorld world;
+  std::vector<rules::Experience> experiences;
+};
+
+Lessons LessonsOfLibrary(const std::string& library, const Domain& domain) {
+  LibraryExperiences all = ReadLibraryExperiences(LibraryFile(library), domain);
+  for (const std::string& reason : all.left_out) {
+    std::cout << "left out: " << Printable(reason) << "\n";
+  }
+  return {std::move(all.world), std::move(all.experiences)};
+}
+
+Lessons LessonsOfTask(const fs::path& folder, const Domain& domain) {
+  RuleWorld world = RuleWorldOf(domain);
+  auto experiences = TaskExperiences(folder, world);
+  return {std::move(world), std::move(experiences)};
+}
 
 int LearnRulesOfTask(const LearnRulesOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   if (!options.out.empty()) RequireFree(options.out, kOtherOut);
-  const fs::path folder = options.experiences.empty()
-                              ? deployment.task_dir / "experiences"
-                              : fs::path(options.experiences);
   // The rules to be replaced may be of an older domain.
   const Domain domain = LoadTask(deployment, LearnedRules::kLeaveOut).domain;
-  const RuleWorld world = RuleWorldOf(domain);
-  const auto experiences = TaskExperiences(folder, world);
-  const rules::NdrRules rules =
-      LearnRules(experiences, GoalPredicates(domain.goals()), world);
+  const Lessons lessons =
+      options.library.empty()
+          ? LessonsOfTask(options.experiences.empty()
+                              ? deployment.task_dir / "experiences"
+                              : fs::path(options.experiences),
+                          domain)
+          : LessonsOfLibrary(options.library, domain);
+  const rules::NdrRules rules = LearnRules(
+      lessons.experiences, GoalPredicates(domain.goals()), lessons.world);
   std::string text;
   for (const rules::Rule& rule : rules.rules) {
     text += "\n" + rules::ToText(rule, *rules.symbols, 2);
   }
   std::cout << fmt::format(
                    "{}, {}\n",
-                   Counted(static_cast<int64_t>(experiences.size()),
+                   Counted(static_cast<int64_t>(lessons.experiences.size()),
                            "experience"),
                    Counted(static_cast<int64_t>(rules.rules.size()), "rule"))
             << text;
@@ -64,13 +91,19 @@ void AddLearnRules(CLI::App& learn, Action* action) {
   CLI::App* command = learn.add_subcommand(
       "rules",
       "Learn what the task's actions need and do, as noisy deictic rules, from "
-      "its experiences.\n"
-      "Example: cell learn rules --out learned.rules");
+      "its experiences, or from those of a library.\n"
+      "Example: cell learn rules --out learned.rules\n"
+      "Example: cell learn rules --library my.db");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--experiences", options->experiences,
                       "folder of *.experiences (default: experiences/ of the "
                       "task)");
+  command
+      ->add_option("--library", options->library,
+                   "learn from the experiences of this library's file, or of "
+                   "a run folder that has one, and of its actions")
+      ->excludes("--experiences");
   command->add_option("--out", options->out,
                       "write symbols and rules here, to be shown by cell rules "
                       "show");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -14,6 +15,9 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/text/counted.h"
+#include "common/text/printable.h"
+#include "services/cell/commands/library_commands.h"
+#include "services/cell/learning/library_experiences.h"
 #include "services/cell/learning/run_experiences.h"
 #include "services/cell/running/progress.h"
 #include "services/cell/running/run_folder.h"
@@ -21,11 +25,14 @@
 namespace cell::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr char kFreeOut[] = "choose another --out or remove it";
 
 struct RecordOptions {
   std::vector<std::string> runs;
   std::vector<std::string> scripts;
+  std::string library;
   std::string deploy_dir;
   uint64_t seed = 1;
   int count = 1;
@@ -38,14 +45,18 @@ class ExperienceWriter {
   void Add(const std::string& script, uint64_t seed,
            const std::vector<rules::Experience>& experiences,
            const RuleWorld& world) {
+    Add(fmt::format("{}, seed {}", script, seed), experiences, world);
+  }
+  void Add(const std::string& source,
+           const std::vector<rules::Experience>& experiences,
+           const RuleWorld& world) {
     for (const rules::Experience& experience : experiences) {
       Counts& counts =
           counts_[world.world()->symbols()[experience.act.action].name];
       ++counts.all;
       counts.unchanged += experience.before == experience.after;
     }
-    text_ += fmt::format("# {}, seed {}\n", script, seed) +
-             ToText(experiences, world);
+    text_ += "# " + source + "\n" + ToText(experiences, world);
   }
 
   void Write(const std::string& out) const {
@@ -84,11 +95,25 @@ void Simulate(const RecordOptions& options, ExperienceWriter* writer) {
   }
 }
 
+void AddOfLibrary(const RecordOptions& options, ExperienceWriter* writer) {
+  const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
+  const LibraryExperiences all = ReadLibraryExperiences(
+      LibraryFile(options.library),
+      LoadTask(deployment, LearnedRules::kLeaveOut).domain);
+  for (const std::string& reason : all.left_out) {
+    std::cout << "left out: " << Printable(reason) << "\n";
+  }
+  writer->Add("library " + fs::path(options.library).filename().string(),
+              all.experiences, all.world);
+}
+
 int RecordExperiences(const RecordOptions& options) {
   RequireFree(options.out, kFreeOut);
-  if (options.runs.empty() && options.scripts.empty()) {
+  if (options.runs.empty() && options.scripts.empty() &&
+      options.library.empty()) {
     throw std::runtime_error(
-        "nothing to record: name run folders, or --simulate a demonstration");
+        "nothing to record: name run folders or a --library, or --simulate a "
+        "demonstration");
   }
   ExperienceWriter writer;
   for (const std::string& path : options.runs) {
@@ -97,7 +122,8 @@ int RecordExperiences(const RecordOptions& options) {
     writer.Add(run.demonstration, run.seed, ExperiencesOfRun(run, world),
                world);
   }
-  Simulate(options, &writer);
+  if (!options.library.empty()) AddOfLibrary(options, &writer);
+  if (!options.scripts.empty()) Simulate(options, &writer);
   writer.Write(options.out);
   return 0;
 }
@@ -110,12 +136,16 @@ void AddRulesRecord(CLI::App& rules, Action* action) {
       "record",
       "Write the experiences of runs as text, to learn rules from: the state "
       "as sensed before and after each recognised action, each skill that "
-      "failed, and each attempt that a person says has failed.\n"
+      "failed, and each attempt that a person says has failed; or those that "
+      "a library has kept.\n"
       "Example: cell rules record --simulate attempts --seed 901 --count 24 "
       "--out attempts.experiences");
   command->add_option("runs", options->runs, "run folders");
   command->add_option("--simulate", options->scripts,
                       "simulate runs of these demonstrations, without logs");
+  command->add_option("--library", options->library,
+                      "a library's file, or a run folder that has one: all "
+                      "that it has experienced of the actions that it knows");
   command
       ->add_option("--seed", options->seed,
                    "of the first simulated run; the next has the next")
@@ -126,7 +156,8 @@ void AddRulesRecord(CLI::App& rules, Action* action) {
       ->check(NumberIn(1, 1'000))
       ->capture_default_str();
   command->add_option("--deploy", options->deploy_dir,
-                      "folder with config/ and tasks/, to simulate");
+                      "folder with config/ and tasks/, to simulate, or of the "
+                      "library's task");
   command->add_option("--out", options->out, "file to create")->required();
   command->callback([=] {
     *action = [=] {

@@ -173,6 +173,15 @@ TEST_F(ExplorationTest, AnExperienceCountsOnce) {
   EXPECT_EQ(bench_.knowledge.TakeChange(3), nullptr);
 }
 
+TEST_F(ExplorationTest, AnExperienceThatTheLibraryRemovesIsForgotten) {
+  bench_.Learn(bench_.Inserted("bolt_1", "box.hole_1", bench_.Start()));
+  bench_.knowledge.Remove(bench_.num_experiences + 1);  // there is none
+  EXPECT_EQ(bench_.knowledge.TakeChange(100), nullptr);
+  bench_.knowledge.Remove(bench_.num_experiences);
+  EXPECT_NE(bench_.knowledge.TakeChange(101), nullptr);
+  EXPECT_THAT(*bench_.knowledge.experiences(), IsEmpty());
+}
+
 TEST_F(ExplorationTest, WhoDoesNotLearnKeepsNoExperience) {
   Knowledge knowledge(bench_.bench.domain, false);
   knowledge.Add(1, bench_.Inserted("bolt_1", "box.hole_1", bench_.Start()));
