@@ -1,6 +1,7 @@
 #include "services/cell/evaluations/substitution_evaluation.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -21,8 +22,22 @@ namespace {
 
 using nlohmann::json;
 
-/// The script of every variant in which a person places what was never shown.
+/// The script of a variant in which a person places what was never shown.
 constexpr char kScript[] = "substitute";
+
+/// The variants that have the script.
+std::vector<std::string> VariantsWithScript(
+    const std::filesystem::path& task_dir) {
+  std::vector<std::string> names = VariantsOf(task_dir);
+  std::erase_if(names, [&](const std::string& name) {
+    const Config variant =
+        Config::Load(task_dir / kVariantsFolder / (name + ".yaml"));
+    return !variant.Has("demonstrators.yaml") ||
+           !variant["demonstrators.yaml"].Has("scripts") ||
+           !variant["demonstrators.yaml"]["scripts"].Has(kScript);
+  });
+  return names;
+}
 
 /// True literals with these arguments, of the last PREDICATES.
 class LastPredicates {
@@ -63,10 +78,11 @@ class SubstitutionEvaluation final : public Evaluation {
 
   json RunTrial(const Trial& trial, const Deployment& deployment,
                 const Roster& roster) const override {
-    const auto variants = VariantsOf(deployment.task_dir);
+    const auto variants = VariantsWithScript(deployment.task_dir);
     if (variants.empty()) {
       throw std::runtime_error(deployment.task_dir.string() +
-                               ": the task has no variants");
+                               ": no variant of the task has a script '" +
+                               kScript + "'");
     }
     const std::string& variant = variants[trial.seed % variants.size()];
     const VariedTask varied(deployment, variant);
