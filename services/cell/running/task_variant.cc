@@ -27,6 +27,22 @@ YAML::Node Load(const fs::path& file) {
   }
 }
 
+/// The same content without aliases: what one key refers to can be changed
+/// without changing what the others refer to.
+YAML::Node WithoutAliases(const YAML::Node& node) {
+  if (!node.IsMap() && !node.IsSequence()) return YAML::Clone(node);
+  YAML::Node copy(node.Type());
+  copy.SetStyle(node.Style());
+  for (const auto& entry : node) {
+    if (node.IsMap()) {
+      copy[YAML::Clone(entry.first)] = WithoutAliases(entry.second);
+    } else {
+      copy.push_back(WithoutAliases(entry));
+    }
+  }
+  return copy;
+}
+
 /// @param where  of `change`, for errors
 void Merge(const YAML::Node& change, const std::string& where,
            YAML::Node node) {
@@ -92,7 +108,7 @@ void ApplyVariant(const fs::path& task_dir, const std::string& name) {
       throw ConfigError(where + ": the task has no such file");
     }
     if (!entry.second.IsMap()) throw ConfigError(where + ": should be a map");
-    const YAML::Node content = Load(task_dir / file);
+    const YAML::Node content = WithoutAliases(Load(task_dir / file));
     Merge(entry.second, where, content);
     WriteFile(task_dir / file, YAML::Dump(content) + "\n");
   }

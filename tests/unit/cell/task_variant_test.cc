@@ -1,9 +1,11 @@
 #include "services/cell/running/task_variant.h"
 
 #include <gmock/gmock.h>
+#include <yaml-cpp/yaml.h>
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "common/task/task.h"
 #include "tests/unit/changed_deployment.h"
@@ -54,6 +56,25 @@ TEST_F(TaskVariant, MergesMapsAndRemovesAndReplacesKeys) {
   }
   EXPECT_NE(LoadTask(task_.get()).domain.FindGoal("round_pegs"), nullptr)
       << "the task itself stays as it is";
+}
+
+TEST_F(TaskVariant, ChangesNothingElseThatAnAliasGaveTheSameValue) {
+  std::ofstream(task_.get().task_dir / "numbers.yaml")
+      << "a: &shared {x: 1, list: &list [1, 2]}\n"
+         "b: *shared\n"
+         "c: {list: *list}\n";
+  Write("a", "numbers.yaml: {a: {x: 7, list: [3]}}\n");
+  ApplyVariant(task_.get().task_dir, "a");
+  const YAML::Node varied =
+      YAML::LoadFile((task_.get().task_dir / "numbers.yaml").string());
+  const auto list = [](const YAML::Node& node) {
+    return node["list"].as<std::vector<int>>();
+  };
+  EXPECT_EQ(varied["a"]["x"].as<int>(), 7);
+  EXPECT_THAT(list(varied["a"]), ElementsAre(3));
+  EXPECT_EQ(varied["b"]["x"].as<int>(), 1);
+  EXPECT_THAT(list(varied["b"]), ElementsAre(1, 2));
+  EXPECT_THAT(list(varied["c"]), ElementsAre(1, 2));
 }
 
 TEST_F(TaskVariant, WhatMakesNoSenseIsNamed) {
