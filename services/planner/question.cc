@@ -61,8 +61,17 @@ std::string WordsFor(const RequiredChange& change, const Vocabulary& vocabulary,
                                     vocabulary.AtomName(change.atom)));
 }
 
+/// Whether moving the object of the change does not make the change: what it
+/// is by itself now, such as lying down, it is elsewhere too. What it is not,
+/// or is to others, such as not clear, may be otherwise where it is moved to.
+bool OutlastsMoving(const RequiredChange& change, const State& state,
+                    const GroundAtom& atom) {
+  return change.truth == Truth::kFalse && atom.objects.size() == 1 &&
+         state.Get(change.atom) == Truth::kTrue;
+}
+
 /// Names only what a person has to fix. Of a part that has to be moved into
-/// reach, nothing else can be judged before it is there.
+/// reach, most else cannot be judged before it is there.
 ExecutionStatus AskForChanges(const Plan& no_plan, const State& state,
                               const Vocabulary& vocabulary,
                               const RequestWords& requests) {
@@ -76,10 +85,11 @@ ExecutionStatus AskForChanges(const Plan& no_plan, const State& state,
     out_of_reach.insert(vocabulary.Atom(change.atom).objects[1]);
   }
   for (const RequiredChange& change : no_plan.needed) {
-    const std::vector<int> objects = vocabulary.Atom(change.atom).objects;
-    const bool is_told = std::ranges::any_of(
-        objects, [&](int object) { return out_of_reach.contains(object); });
-    if (is_told) continue;
+    const GroundAtom atom = vocabulary.Atom(change.atom);
+    const bool is_told = std::ranges::any_of(atom.objects, [&](int object) {
+      return out_of_reach.contains(object);
+    });
+    if (is_told && !OutlastsMoving(change, state, atom)) continue;
     sentences.push_back("please " + WordsFor(change, vocabulary, requests));
     formulas.push_back(change.why);
   }

@@ -92,9 +92,10 @@ class RobotPlanner : public testing::Test {
     Give("SKILL_RESULT", result);
   }
   /// What does not depend on the separator.
-  void PlaceAllButTheUpperParts() {
-    const auto put = [this](const std::string& action,
-                            const std::vector<std::string>& objects) {
+  void PlaceAllButTheUpperParts(const std::set<std::string>& left = {}) {
+    const auto put = [&](const std::string& action,
+                         const std::vector<std::string>& objects) {
+      if (left.contains(objects[0])) return;
       state_ = cranfield_.Do(state_, action, objects);
     };
     put("PlaceRoundPeg", {"round_peg_1", "base.round_1"});
@@ -275,6 +276,19 @@ TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
             "separator is out of reach of both arms: please move it into "
             "reach");
   EXPECT_EQ(told_.back().num_needed, 2);
+}
+
+TEST_F(RobotPlanner, AsksToRaiseWhatNoArmCanTakeSinceItLiesDown) {
+  std::erase(right_.reachable, "square_peg_1");
+  --right_.num_reachable;
+  PlaceAllButTheUpperParts({"square_peg_1"});
+  state_ = cranfield_.With(state_, {"Horizontal(square_peg_1)"});
+  Start("robot", "assembled");
+  Run(kPatienceTicks);
+  ASSERT_FALSE(told_.empty());
+  EXPECT_EQ(told_.back().text,
+            "square_peg_1 is out of reach of both arms: please move it into "
+            "reach; please stand the square_peg_1 upright");
 }
 
 TEST_F(RobotPlanner, TakesAnotherGoalByCommandAndRefusesLateOrUnknownOnes) {
