@@ -225,6 +225,7 @@ TEST_F(CellCommand, EveryCommandShowsAnExample) {
                               "eval assembly",
                               "eval disturbed",
                               "eval goals",
+                              "eval variants",
                               "eval from_nothing",
                               "check",
                               "chain",

@@ -13,6 +13,7 @@
 #include "services/cell/evaluations/stops_evaluation.h"
 #include "services/cell/evaluations/substitution_evaluation.h"
 #include "services/cell/evaluations/sufficient_evaluation.h"
+#include "services/cell/evaluations/variants_evaluation.h"
 #include "services/cell/evaluations/watch_evaluation.h"
 
 namespace cell::cli {
@@ -46,6 +47,7 @@ std::vector<std::unique_ptr<Evaluation>> AllEvaluations() {
   all.push_back(MakeDisturbedEvaluation());
   all.push_back(MakeStopsEvaluation());
   all.push_back(MakeGoalsEvaluation());
+  all.push_back(MakeVariantsEvaluation());
   all.push_back(MakeFromNothingEvaluation());
   all.push_back(MakeInsertionEvaluation());
   all.push_back(MakeKeyframesEvaluation());
