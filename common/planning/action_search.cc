@@ -119,8 +119,9 @@ std::vector<int> ActionSearch::Collect(int state) {
   return order;
 }
 
-bool ActionSearch::Run(int state) {
-  first_round_ = round_ + 1;
+bool ActionSearch::Run(int state, const MayGoOn& may_go_on) {
+  if (!is_restored_) first_round_ = round_ + 1;
+  is_restored_ = false;
   is_spent_ = false;
   for (int i = 0; i < kMaxRounds; ++i) {
     has_new_ = false;
@@ -139,20 +140,35 @@ bool ActionSearch::Run(int state) {
       if (change < kTolerance) break;
     }
     if (!has_new_ && first_change < kTolerance) return true;
+    if (may_go_on && !may_go_on()) return false;
   }
   return false;
 }
 
-bool ActionSearch::Minimize(int state, double precision, const Budget& budget) {
+bool ActionSearch::Minimize(int state, double precision, const Budget& budget,
+                            const MayGoOn& may_go_on) {
   precision_ = precision;
   budget_ = budget;
   is_safe_ = false;
-  return Run(state);
+  return Run(state, may_go_on);
 }
 
 void ActionSearch::MakeSafePolicy(int state) {
   is_safe_ = true;
-  Run(state);
+  Run(state, {});
+}
+
+void ActionSearch::Save(StateWriter* out) const {
+  out->Put(round_);
+  out->Put(first_round_);
+  out->Put(nodes_);
+}
+
+void ActionSearch::Restore(StateReader* in, bool is_minimizing) {
+  in->Get(&round_);
+  in->Get(&first_round_);
+  in->Get(&nodes_);
+  is_restored_ = is_minimizing;
 }
 
 int ActionSearch::ChoiceIn(int state) const {

@@ -24,10 +24,17 @@ class ActionSearch {
   /// Makes a policy from the state. Returns true if it is a best one of the
   /// fewest actions; false if the budget was spent before: then
   /// MakeSafePolicy() still finds one.
-  bool Minimize(int state, double precision, const Budget& budget);
+  bool Minimize(int state, double precision, const Budget& budget,
+                const MayGoOn& may_go_on = {});
   /// A policy that reaches the goal with the lower bound of the probability,
   /// from what is known.
   void MakeSafePolicy(int state);
+
+  void Save(StateWriter* out) const;
+  /// @param is_minimizing  the next Minimize() goes on with the one that was
+  ///                       going on
+  /// @throws as StateReader does
+  void Restore(StateReader* in, bool is_minimizing);
 
   /// What the policy does in a state: a choice; -1 where it does nothing.
   int ChoiceIn(int state) const;
@@ -50,7 +57,7 @@ class ActionSearch {
   double CostOf(int state);
   double CostOf(const ExploredGraph::Choice& choice);
   bool IsAllowed(const ExploredGraph::Choice& choice);
-  bool Run(int state);
+  bool Run(int state, const MayGoOn& may_go_on);
   /// States of the policy, successors first where they form no cycle.
   std::vector<int> Collect(int state);
   bool Prepare(int state);
@@ -64,6 +71,7 @@ class ActionSearch {
   bool is_safe_ = false;
   bool is_spent_ = false;
   bool has_new_ = false;
+  bool is_restored_ = false;
   int64_t round_ = 0;
   int64_t first_round_ = 1;  // of this run
   std::vector<Node> nodes_;

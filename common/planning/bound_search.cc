@@ -31,24 +31,48 @@ bool BoundSearch::TryExpand(int state, const Budget& budget) {
   return true;
 }
 
-bool BoundSearch::Solve(int state, double precision, const Budget& budget) {
+bool BoundSearch::Solve(int state, double precision, const Budget& budget,
+                        const MayGoOn& may_go_on) {
   budget_ = budget;
   precision_ = precision;
   bounds_.Extend();
   // Unlikely paths wait until the likely ones are known.
-  cut_ = 1e-2 * bounds_.width(state);
+  if (!is_restored_) cut_ = 1e-2 * bounds_.width(state);
+  is_restored_ = false;
   while (bounds_.width(state) > precision) {
     const double before = bounds_.width(state);
     has_changed_ = false;
-    Pass(bounds_.BlockOf(state));
-    if (bounds_.width(state) <= precision) break;
+    for (const Bound bound : {Bound::kUpper, Bound::kLower}) {
+      Pass(bounds_.BlockOf(state), bound);
+      if (bounds_.width(state) <= precision) return true;
+    }
     if (IsSpent(budget)) return false;
     if (!has_changed_ && cut_ == 0) return false;  // at the limit of rounding
     if (before - bounds_.width(state) < 0.1 * before) {
       cut_ = cut_ > 1e-13 ? 0.1 * cut_ : 0;
     }
+    if (may_go_on && !may_go_on()) return false;
   }
   return true;
+}
+
+void BoundSearch::Save(StateWriter* out) const {
+  out->Put(cut_);
+  out->Put(pass_);
+  out->Put(next_check_);
+  out->Put(is_out_of_memory_);
+  out->Put(marks_);
+  out->Put(tried_in_);
+}
+
+void BoundSearch::Restore(StateReader* in) {
+  in->Get(&cut_);
+  in->Get(&pass_);
+  in->Get(&next_check_);
+  in->Get(&is_out_of_memory_);
+  in->Get(&marks_);
+  in->Get(&tried_in_);
+  is_restored_ = true;
 }
 
 bool BoundSearch::IsWorthEntering(int block, double reach) {
@@ -56,8 +80,13 @@ bool BoundSearch::IsWorthEntering(int block, double reach) {
   return width > 0.5 * precision_ && reach * width > cut_;
 }
 
-void BoundSearch::Pass(int root) {
+int BoundSearch::Chosen(const ProbabilityBounds::Update& update) const {
+  return followed_ == Bound::kUpper ? update.choice : update.safe_choice;
+}
+
+void BoundSearch::Pass(int root, Bound bound) {
   ++pass_;
+  followed_ = bound;
   num_numbered_ = 0;
   Open(root, 1);
   while (!frames_.empty()) Step();
@@ -74,7 +103,7 @@ void BoundSearch::Open(int block, double reach) {
   stack_.push_back(block);
   const auto update = bounds_.Improve(block);
   has_changed_ |= update.change > kConverged;
-  frames_.push_back({block, update.choice, 0, reach});
+  frames_.push_back({block, Chosen(update), 0, reach});
 }
 
 void BoundSearch::Step() {
@@ -109,15 +138,14 @@ bool BoundSearch::ChooseAgain(Frame* frame) {
   has_changed_ |= update.change > kConverged;
   // While the upper bound stays the same, a new best choice here changes
   // nothing in the states above.
-  if (update.choice < 0 || update.drop > kConverged ||
+  const bool is_lower = update.drop > kConverged && followed_ == Bound::kUpper;
+  if (Chosen(update) < 0 || is_lower ||
       !IsWorthEntering(frame->block, frame->reach)) {
     return false;
   }
-  if (static_cast<size_t>(update.choice) < tried_in_.size() &&
-      tried_in_[static_cast<size_t>(update.choice)] == pass_) {
-    return false;
-  }
-  frame->choice = update.choice;
+  const auto chosen = static_cast<size_t>(Chosen(update));
+  if (chosen < tried_in_.size() && tried_in_[chosen] == pass_) return false;
+  frame->choice = Chosen(update);
   frame->outcome = 0;
   return true;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "common/planning/explored_graph.h"
@@ -14,23 +15,34 @@ struct Budget {
   int64_t max_bytes = 0;
 };
 
+/// Asked between two passes of a search, when it can be saved; false stops it.
+using MayGoOn = std::function<bool()>;
+
 /// Narrows the bounds of the probability of reaching the goal from a state by
 /// depth-first passes over the states that the choices of the highest upper
 /// bounds lead to. Each pass expands what is not expanded, improves bounds on
 /// its way back (Tarjan's algorithm gives the order), and collapses end
-/// components where they have converged.
+/// components where they have converged. Every other pass follows the choices
+/// of the highest lower bounds, so that the policy that is sure of most comes
+/// to know what to do when an outcome is not the hoped one.
 class BoundSearch {
  public:
   BoundSearch(ExploredGraph* graph, ProbabilityBounds* bounds)
       : graph_(*graph), bounds_(*bounds) {}
 
   /// Returns true once the bounds of `state` are no further apart than
-  /// `precision`; false if the budget is spent before.
-  bool Solve(int state, double precision, const Budget& budget);
+  /// `precision`; false if the budget is spent before, or if it is stopped.
+  bool Solve(int state, double precision, const Budget& budget,
+             const MayGoOn& may_go_on = {});
 
   /// Expands the state unless the budget is spent; returns whether it is
   /// expanded.
   bool TryExpand(int state, const Budget& budget);
+
+  void Save(StateWriter* out) const;
+  /// The next Solve() goes on with the one that was going on.
+  /// @throws as StateReader does
+  void Restore(StateReader* in);
 
  private:
   struct Frame {
@@ -46,8 +58,12 @@ class BoundSearch {
     bool is_open = false;
   };
 
+  /// Which bound's choices a pass follows.
+  enum class Bound { kLower, kUpper };
+
   Mark& MarkOf(int block) { return marks_[static_cast<size_t>(block)]; }
-  void Pass(int root);
+  void Pass(int root, Bound bound);
+  int Chosen(const ProbabilityBounds::Update& update) const;
   bool IsWorthEntering(int block, double reach);
   void Open(int block, double reach);
   /// Goes on with the next outcome of the last frame, or closes it.
@@ -64,6 +80,8 @@ class BoundSearch {
   Budget budget_;
   double precision_ = 0;
   double cut_ = 0;
+  bool is_restored_ = false;  // with the cut of a Solve() to go on with
+  Bound followed_ = Bound::kUpper;
   bool has_changed_ = false;
   int64_t pass_ = 0;
   int num_numbered_ = 0;

@@ -17,6 +17,24 @@ int64_t ExploredGraph::num_bytes() const {
                               outcomes_.capacity() * sizeof(Outcome));
 }
 
+void ExploredGraph::Save(StateWriter* out) const {
+  table_.Save(out);
+  out->Put(nodes_);
+  out->Put(choices_);
+  out->Put(outcomes_);
+  out->Put(num_states_);
+  out->Put(num_expansions_);
+}
+
+void ExploredGraph::Restore(StateReader* in) {
+  table_.Restore(in);
+  in->Get(&nodes_);
+  in->Get(&choices_);
+  in->Get(&outcomes_);
+  in->Get(&num_states_);
+  in->Get(&num_expansions_);
+}
+
 int ExploredGraph::Enter(Bits state) {
   raw_.assign(state.begin(), state.end());
   const int number = table_.Enter(raw_);

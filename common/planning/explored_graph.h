@@ -62,6 +62,11 @@ class ExploredGraph {
         static_cast<size_t>(choice.num_outcomes));
   }
 
+  void Save(StateWriter* out) const;
+  /// In place of what was explored; the model has to be the same.
+  /// @throws as StateReader does
+  void Restore(StateReader* in);
+
  private:
   struct Node {
     int same_as = -1;  // the number of its state

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <istream>
+#include <ostream>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -24,13 +26,22 @@ class Planner::Search {
         bound_search_(&graph_, &bounds_),
         action_search_(&graph_, &bounds_, &bound_search_) {}
 
-  Plan Find(Bits state) {
+  Plan Find(Bits state, const Watch& watch) {
     if (static_cast<int>(state.size()) != graph_.model().num_words()) {
       throw std::invalid_argument(
           fmt::format("a state of {} words; the model has {}", state.size(),
                       graph_.model().num_words()));
     }
-    const int64_t num_before = graph_.num_expansions();
+    watch_ = watch;
+    int64_t num_before = graph_.num_expansions();
+    if (std::exchange(is_restored_, false)) {
+      if (!std::ranges::equal(state, position_.start)) {
+        throw std::invalid_argument("the saved search began in another state");
+      }
+      num_before = 0;
+    } else {
+      position_ = {Phase::kBounds, 0, {state.begin(), state.end()}};
+    }
     budget_ = {num_before + params_.max_expansions, params_.max_bytes};
     const int start = graph_.Enter(state);
     bounds_.Extend();
@@ -49,6 +60,31 @@ class Planner::Search {
     return plan;
   }
 
+  void Save(std::ostream* out) const {
+    StateWriter writer(out);
+    writer.Put(position_.phase);
+    writer.Put(position_.minimize_from);
+    writer.Put(position_.start);
+    graph_.Save(&writer);
+    bounds_.Save(&writer);
+    bound_search_.Save(&writer);
+    action_search_.Save(&writer);
+    writer.PutChecksum();
+  }
+
+  void Restore(std::istream* in, uint64_t num_bytes) {
+    StateReader reader(in, num_bytes);
+    reader.Get(&position_.phase);
+    reader.Get(&position_.minimize_from);
+    reader.Get(&position_.start);
+    graph_.Restore(&reader);
+    bounds_.Restore(&reader);
+    bound_search_.Restore(&reader);
+    action_search_.Restore(&reader, position_.phase == Phase::kActions);
+    reader.CheckChecksum();
+    is_restored_ = true;
+  }
+
   std::optional<int> ActionIn(Bits state) const {
     const std::optional<int> known = graph_.Find(state);
     const int choice = known ? action_search_.ChoiceIn(*known) : -1;
@@ -57,9 +93,49 @@ class Planner::Search {
   }
 
  private:
+  enum class Phase : int { kBounds, kActions, kDone };
+  /// Where the search of the last Find() is, beside what its parts know.
+  struct Position {
+    Phase phase = Phase::kBounds;
+    int64_t minimize_from = 0;  ///< expansions before Phase::kActions
+    std::vector<uint64_t> start;
+  };
+
+  /// Whether the search may go on.
+  bool Report(int start, bool is_last) {
+    return !watch_ || watch_({graph_.num_expansions(),
+                              {bounds_.low(start), bounds_.high(start)},
+                              is_last});
+  }
+
+  /// Returns true if no best policy needs fewer actions.
+  bool Minimize(int start, const MayGoOn& may_go_on) {
+    if (position_.phase == Phase::kBounds) {
+      position_.phase = Phase::kActions;
+      position_.minimize_from = graph_.num_expansions();
+    }
+    Budget budget = budget_;
+    if (params_.max_minimize_expansions <
+        budget.max_expansions - position_.minimize_from) {
+      budget.max_expansions =
+          position_.minimize_from + params_.max_minimize_expansions;
+    }
+    if (position_.phase == Phase::kActions &&
+        action_search_.Minimize(start, params_.precision, budget, may_go_on)) {
+      position_.phase = Phase::kDone;
+    }
+    return position_.phase == Phase::kDone;
+  }
+
   void FindFrom(int start, Plan* plan) {
+    const MayGoOn may_go_on = [&] {
+      return Report(start, false);
+    };
     const bool is_solved =
-        bound_search_.Solve(start, params_.precision, budget_);
+        bound_search_.Solve(start, params_.precision, budget_, may_go_on);
+    plan->is_shortest = is_solved && bounds_.low(start) > 0 &&
+                        params_.minimize_actions && Minimize(start, may_go_on);
+    Report(start, true);
     if (bounds_.low(start) <= 0) {
       const bool is_proven = is_solved && !MayReachGoal(start);
       plan->probability = {0, is_proven ? 0 : bounds_.high(start)};
@@ -71,13 +147,10 @@ class Planner::Search {
       return;
     }
     plan->status = Plan::Status::kFound;
-    plan->is_shortest =
-        is_solved && params_.minimize_actions &&
-        action_search_.Minimize(start, params_.precision, budget_);
     if (!plan->is_shortest) action_search_.MakeSafePolicy(start);
     const ActionSearch::Value value = action_search_.Evaluate(start);
     plan->expected_actions = value.expected_actions;
-    plan->probability = {std::min(bounds_.low(start), value.probability),
+    plan->probability = {std::min(value.probability, bounds_.high(start)),
                          bounds_.high(start)};
     plan->course = CourseFrom(start);
     if (params_.solve_alternatives) SolveAlternatives(start);
@@ -185,7 +258,10 @@ class Planner::Search {
   }
 
   Params params_;
+  Watch watch_;
   Budget budget_;
+  bool is_restored_ = false;
+  Position position_;
   ExploredGraph graph_;
   ProbabilityBounds bounds_;
   BoundSearch bound_search_;
@@ -197,8 +273,16 @@ Planner::Planner(std::shared_ptr<const Model> model, const Params& params)
 
 Planner::~Planner() = default;
 
-Plan Planner::Find(Bits state) {
-  return search_->Find(state);
+Plan Planner::Find(Bits state, const Watch& watch) {
+  return search_->Find(state, watch);
+}
+
+void Planner::Save(std::ostream* out) const {
+  search_->Save(out);
+}
+
+void Planner::Restore(std::istream* in, uint64_t num_bytes) {
+  search_->Restore(in, num_bytes);
 }
 
 std::optional<int> Planner::ActionIn(Bits state) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,8 +78,10 @@ class Planner {
     int64_t max_bytes = int64_t{1000} << 20;
     /// Width of the interval of the probability that is good enough.
     double precision = 1e-9;
-    /// Whether to look for the fewest actions among the best policies.
+    /// Whether to look for the fewest actions among the best policies, and
+    /// with how many further expansions.
     bool minimize_actions = true;
+    int64_t max_minimize_expansions = INT64_MAX;
     /// Alternatives get intervals of `precision`, too.
     bool solve_alternatives = false;
   };
@@ -85,10 +89,31 @@ class Planner {
   Planner(std::shared_ptr<const Model> model, const Params& params);
   ~Planner();
 
+  /// How far a search has come.
+  struct Progress {
+    int64_t num_expansions = 0;
+    Interval probability;
+    /// It ends here: all is found, or the budget is spent.
+    bool is_last = false;
+  };
+  /// Told between two passes, when the search can be saved; false stops it, as
+  /// a spent budget does.
+  using Watch = std::function<bool(const Progress&)>;
+
   /// The best plan from a state.
   /// @param state  as many words as the model's states have
   /// @throws std::invalid_argument for another number of words
-  Plan Find(Bits state);
+  Plan Find(Bits state, const Watch& watch = {});
+
+  /// Writes all that is known; to be called by a Watch or after Find().
+  void Save(std::ostream* out) const;
+  /// Reads what a planner of an equal model has saved, before the first Find():
+  /// which goes on as if it had not been interrupted, if it is asked for the
+  /// same state and precision. Expansions then count from the beginning.
+  /// @param num_bytes  of the stream's rest
+  /// @throws std::runtime_error for anything else or for damage ("is damaged");
+  /// the planner is of no use then
+  void Restore(std::istream* in, uint64_t num_bytes);
 
   /// What the plan found last does in a state: the action; nullopt where it
   /// does nothing (a goal, a dead end, a state that it does not lead to).

@@ -59,9 +59,17 @@ ProbabilityBounds::Update ProbabilityBounds::Improve(int block) {
   double best_high = 0;
   double best_low = 0;
   double distance = 0;
+  double safe_distance = 0;
   ForEachChoice(block, [&](int c) {
     const Value value = Of(graph_.choice(c));
     if (!value.leaves) return;
+    const bool is_safer =
+        update.safe_choice < 0 || value.low > best_low + kTie ||
+        (value.low > best_low - kTie && value.distance < safe_distance);
+    if (is_safer) {
+      update.safe_choice = c;
+      safe_distance = value.distance;
+    }
     best_low = std::max(best_low, value.low);
     const bool is_better =
         update.choice < 0 || value.high > best_high + kTie ||
@@ -152,6 +160,32 @@ int64_t ProbabilityBounds::num_bytes() const {
     bytes += static_cast<int64_t>(choices.capacity() * sizeof(int));
   }
   return bytes;
+}
+
+void ProbabilityBounds::Save(StateWriter* out) const {
+  out->Put(low_);
+  out->Put(high_);
+  out->Put(parent_);
+  out->Put(members_of_);
+  out->Put(uint64_t{choices_of_.size()});
+  out->Put(uint64_t{choices_of_.capacity()});
+  for (const auto& choices : choices_of_) out->Put(choices);
+}
+
+void ProbabilityBounds::Restore(StateReader* in) {
+  in->Get(&low_);
+  in->Get(&high_);
+  in->Get(&parent_);
+  in->Get(&members_of_);
+  uint64_t size = 0;
+  uint64_t capacity = 0;
+  in->Get(&size);
+  in->Get(&capacity);
+  in->RequireSize(size, capacity, sizeof(uint64_t));
+  choices_of_.clear();
+  choices_of_.reserve(capacity);
+  choices_of_.resize(size);
+  for (auto& choices : choices_of_) in->Get(&choices);
 }
 
 }  // namespace cell::planning

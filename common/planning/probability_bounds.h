@@ -35,9 +35,10 @@ class ProbabilityBounds {
   Value Of(const ExploredGraph::Choice& choice);
 
   struct Update {
-    int choice = -1;    ///< that has the highest upper bound; -1: none leaves
-    double change = 0;  ///< the larger one of both bounds'
-    double drop = 0;    ///< of the upper bound
+    int choice = -1;  ///< that has the highest upper bound; -1: none leaves
+    int safe_choice = -1;  ///< that has the highest lower bound
+    double change = 0;     ///< the larger one of both bounds'
+    double drop = 0;       ///< of the upper bound
   };
   /// Improves the bounds of an expanded block by those of its successors.
   Update Improve(int block);
@@ -59,6 +60,10 @@ class ProbabilityBounds {
   }
 
   int64_t num_bytes() const;
+
+  void Save(StateWriter* out) const;
+  /// @throws as StateReader does
+  void Restore(StateReader* in);
 
  private:
   static size_t Index(int i) { return static_cast<size_t>(i); }

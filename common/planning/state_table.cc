@@ -60,6 +60,18 @@ void StateTable::Grow() {
   }
 }
 
+void StateTable::Save(StateWriter* out) const {
+  out->Put(size_);
+  out->Put(words_);
+  out->Put(slots_);
+}
+
+void StateTable::Restore(StateReader* in) {
+  in->Get(&size_);
+  in->Get(&words_);
+  in->Get(&slots_);
+}
+
 int64_t StateTable::num_bytes() const {
   return static_cast<int64_t>(words_.capacity() * sizeof(uint64_t) +
                               slots_.capacity() * sizeof(int));

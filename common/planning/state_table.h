@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/planning/model.h"
+#include "common/planning/state_stream.h"
 
 namespace cell::planning {
 
@@ -22,6 +23,10 @@ class StateTable {
   int Enter(Bits state);
   std::optional<int> Find(Bits state) const;
   int64_t num_bytes() const;
+
+  void Save(StateWriter* out) const;
+  /// @throws as StateReader does
+  void Restore(StateReader* in);
 
  private:
   /// The slot that holds the state, or the free one where it belongs.

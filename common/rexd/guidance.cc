@@ -68,14 +68,15 @@ class GuidanceFinder {
     const auto smallest = FindExcuses(ground_.task, SearchLimits());
     if (smallest.excuses.empty()) return {};
     for (const planning::Excuse& excuse : smallest.excuses) {
-      guidance_.excuses.emplace_back();
-      for (const auto& change : excuse.changes) {
-        guidance_.excuses.back().push_back(LiteralOf(change.literal, ground_));
-      }
+      guidance_.excuses.push_back(LiteralsOf(excuse));
     }
     const auto num_wishes = CountWishes(smallest.excuses.front());
     for (const planning::Excuse& excuse : smallest.excuses) {
-      if (CountWishes(excuse) == num_wishes) Add(excuse);
+      if (CountWishes(excuse) == num_wishes) {
+        Add(excuse);
+      } else {
+        guidance_.further_excuses.push_back(LiteralsOf(excuse));
+      }
     }
     if (num_wishes > 0) AddSuspects();
     for (const planning::Literal& l : smallest.excuses.front().subgoals) {
@@ -85,6 +86,14 @@ class GuidanceFinder {
   }
 
  private:
+  std::vector<Literal> LiteralsOf(const planning::Excuse& excuse) const {
+    std::vector<Literal> literals;
+    for (const auto& change : excuse.changes) {
+      literals.push_back(LiteralOf(change.literal, ground_));
+    }
+    return literals;
+  }
+
   bool IsWished(const planning::Literal& literal) const {
     return std::ranges::find(goal_, LiteralOf(literal, ground_)) != goal_.end();
   }
@@ -137,6 +146,13 @@ std::string ToText(const Guidance& guidance, const World& world) {
             world.Show(blocked.act.action, blocked.act.arguments) +
             " would help, but that it needs " + Show(blocked.needs, world) +
             ", which I cannot reach.\n";
+  }
+  for (const auto& excuse : guidance.further_excuses) {
+    text += "It would also do if ";
+    for (size_t i = 0; i < excuse.size(); ++i) {
+      text += (i == 0 ? "" : " and ") + Show(excuse[i], world);
+    }
+    text += ".\n";
   }
   return text;
 }

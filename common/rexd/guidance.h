@@ -18,6 +18,9 @@ struct Guidance {
   /// The smallest changes of the state after each of which there is a way to
   /// the goal, the best first, see planning::FindExcuses().
   std::vector<std::vector<rules::Literal>> excuses;
+  /// Those of them that ask for more of the goal than the first. They are told,
+  /// but no reasons are looked for behind them.
+  std::vector<std::vector<rules::Literal>> further_excuses;
   std::vector<rules::Literal> missing_effects;
   std::vector<BlockedAct> blocked_acts;  ///< possible wrong preconditions
   /// What can be done meanwhile, each by itself.
@@ -36,7 +39,7 @@ Guidance FindGuidance(const rules::NdrRules& rules, const RexdTask& task,
                       const std::vector<rules::GroundAct>& acts);
 
 /// A sentence for each reason: "I know no action after which
-/// swingPlaced(swing)."
+/// swingPlaced(swing).", and for each further excuse.
 std::string ToText(const Guidance& guidance, const rules::World& world);
 
 }  // namespace cell::rexd

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "common/rules/literal_parser.h"
 #include "common/rules/rule_error.h"
 #include "common/rules/rule_text.h"
 #include "common/rules/tokens.h"
@@ -10,14 +11,11 @@
 namespace cell::rules {
 namespace {
 
-/// What may stand in a list of literals.
-enum class ListKind { kConditions, kChanges };
-
 /// Reads rules, line after line.
 class RuleParser {
  public:
   explicit RuleParser(std::shared_ptr<const SymbolTable> symbols)
-      : rules_{std::move(symbols), {}} {}
+      : rules_{std::move(symbols), {}}, literals_(rules_.symbols) {}
 
   void Read(const TextLine& line) {
     TokenReader in(line.text, line.place);
@@ -103,7 +101,8 @@ class RuleParser {
     for (;;) {
       rule_->references.push_back({NewVariable(in), {}});
       in.Expect(":");
-      std::vector<Literal> literals = ReadList(ListKind::kConditions, in);
+      std::vector<Literal> literals =
+          literals_.ReadList(ListKind::kConditions, *rule_, in);
       if (literals.empty()) in.Fail("a reference needs a literal");
       rule_->references.back().literals = std::move(literals);
       if (!in.TakeIf(";")) break;
@@ -115,7 +114,7 @@ class RuleParser {
     Advance(Stage::kPreconditions, in);
     in.Expect(":");
     if (!in.TakeIf("none")) {
-      rule_->context = ReadList(ListKind::kConditions, in);
+      rule_->context = literals_.ReadList(ListKind::kConditions, *rule_, in);
     }
     ExpectEnd(in);
   }
@@ -132,7 +131,7 @@ class RuleParser {
       rule_->outcomes.push_back({probability, {}});
     } else {
       rule_->outcomes.push_back(
-          {probability, ReadList(ListKind::kChanges, in)});
+          {probability, literals_.ReadList(ListKind::kChanges, *rule_, in)});
     }
     ExpectEnd(in);
   }
@@ -145,8 +144,9 @@ class RuleParser {
     in.Expect(":");
     // The variable is known to the literals of this line only.
     rule_->references.push_back({each.variable, {}});
-    each.change = ReadLiteral(ListKind::kChanges, in);
-    if (in.TakeIf("if")) each.where = ReadList(ListKind::kConditions, in);
+    each.change = literals_.Read(ListKind::kChanges, *rule_, in);
+    if (in.TakeIf("if"))
+      each.where = literals_.ReadList(ListKind::kConditions, *rule_, in);
     rule_->references.pop_back();
     ExpectEnd(in);
     rule_->outcomes.back().each.push_back(std::move(each));
@@ -167,117 +167,6 @@ class RuleParser {
       in.Fail(fmt::format("'{}' is no probability: from 0 to 1", word));
     }
     return value;
-  }
-
-  std::vector<Literal> ReadList(ListKind kind, TokenReader& in) {
-    std::vector<Literal> literals;
-    do {
-      literals.push_back(ReadLiteral(kind, in));
-    } while (in.TakeIf(","));
-    return literals;
-  }
-
-  Literal ReadLiteral(ListKind kind, TokenReader& in) {
-    Literal literal;
-    const bool is_negated = in.TakeIf("not");
-    if (in.Peek(1) != "(") return ReadSame(kind, is_negated, in);
-    const std::string name = in.Word("a predicate");
-    const auto symbol = symbols().Find(name);
-    if (!symbol || symbols()[*symbol].kind == Symbol::Kind::kAction) {
-      in.Fail(fmt::format(
-          "there is no predicate or function '{}'{}", name,
-          NamesInstead(name, NamesIn(symbols().all(), &Symbol::name))));
-    }
-    literal.symbol = *symbol;
-    in.Expect("(");
-    while (!in.TakeIf(")")) {
-      literal.terms.push_back(ReadTerm(in));
-      if (in.Peek() != ")") in.Expect(",");
-    }
-    ReadComparison(is_negated, &literal, in);
-    Check(literal, kind, in);
-    return literal;
-  }
-
-  /// "X = Y", "X != c"
-  Literal ReadSame(ListKind kind, bool is_negated, TokenReader& in) {
-    Literal literal;
-    literal.symbol = Literal::kSame;
-    literal.terms.push_back(ReadTerm(in));
-    if (is_negated || kind == ListKind::kChanges) {
-      in.Fail("expected a predicate: NAME(X, Y)");
-    }
-    if (in.TakeIf("!=")) {
-      literal.comparison = Comparison::kFalse;
-    } else {
-      in.Expect("=");
-    }
-    literal.terms.push_back(ReadTerm(in));
-    return literal;
-  }
-
-  void ReadComparison(bool is_negated, Literal* literal, TokenReader& in) {
-    const Symbol& symbol = symbols()[literal->symbol];
-    literal->comparison = is_negated ? Comparison::kFalse : Comparison::kTrue;
-    if (!symbol.is_integer) return;
-    if (is_negated) in.Fail("a comparison has no 'not'");
-    const std::pair<const char*, Comparison> signs[] = {
-        {"=", Comparison::kEqual},
-        {"!=", Comparison::kNotEqual},
-        {"<=", Comparison::kAtMost},
-        {">=", Comparison::kAtLeast}};
-    for (const auto& [sign, comparison] : signs) {
-      if (!in.TakeIf(sign)) continue;
-      literal->comparison = comparison;
-      literal->value = in.Integer("a whole number");
-      return;
-    }
-    in.Fail(
-        fmt::format("'{}' is a function: expected =, !=, <= or >= and a "
-                    "number",
-                    symbol.name));
-  }
-
-  void Check(const Literal& literal, ListKind kind, const TokenReader& in) {
-    const Symbol& symbol = symbols()[literal.symbol];
-    if (static_cast<int>(literal.terms.size()) != symbol.arity) {
-      in.Fail(fmt::format("'{}' has {} arguments, not {}", symbol.name,
-                          symbol.arity, literal.terms.size()));
-    }
-    const bool has_any = std::ranges::any_of(literal.terms, [](const Term& t) {
-      return t.kind == Term::Kind::kAny;
-    });
-    if (has_any && (symbol.is_integer || kind == ListKind::kChanges)) {
-      in.Fail("'_' can stand in a condition on a predicate only");
-    }
-    if (kind == ListKind::kConditions) return;
-    if (symbol.is_derived()) {
-      in.Fail(
-          fmt::format("'{}' is derived: no effect can change it", symbol.name));
-    }
-    if (symbol.is_integer && literal.comparison != Comparison::kEqual) {
-      in.Fail("an effect gives a function a value: f(X) = 1");
-    }
-  }
-
-  Term ReadTerm(TokenReader& in) {
-    const std::string name = in.Word("a variable, a constant, or _");
-    if (name == "_") return {Term::Kind::kAny, 0};
-    if (IsVariableName(name)) {
-      for (int i = 0; i < rule_->num_variables(); ++i) {
-        if (rule_->VariableName(i) == name) {
-          return {Term::Kind::kVariable, i};
-        }
-      }
-      in.Fail(fmt::format("there is no variable '{}' in this rule", name));
-    }
-    const auto& constants = symbols().constants();
-    const auto it = std::ranges::find(constants, name);
-    if (it == constants.end()) {
-      in.Fail(fmt::format("there is no constant '{}'{}", name,
-                          NamesInstead(name, constants)));
-    }
-    return {Term::Kind::kObject, static_cast<int>(it - constants.begin())};
   }
 
   std::string NewVariable(TokenReader& in) {
@@ -310,6 +199,7 @@ class RuleParser {
   const SymbolTable& symbols() const { return *rules_.symbols; }
 
   NdrRules rules_;
+  LiteralParser literals_;
   std::vector<int> lines_;
   std::optional<Rule> rule_;
   Place place_;  // of the rule

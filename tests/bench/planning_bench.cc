@@ -16,47 +16,15 @@
 #include "common/planning/planner.h"
 #include "common/planning/state_table.h"
 #include "common/ppddl/problem.h"
+#include "tests/unit/ladder_ppddl.h"
 
 namespace cell::planning {
 namespace {
 
-// A rover among stations: a drive uses up its charge half of the time, some
-// stations have a spare battery, and the short way has none.
-constexpr char kRover[] = R"((define (domain rover)
-  (:types station)
-  (:predicates (at ?s - station) (way ?a ?b - station) (spare ?s - station)
-               (charged) (carries))
-  (:action drive :parameters (?a ?b - station)
-    :precondition (and (at ?a) (way ?a ?b) (charged))
-    :effect (and (at ?b) (not (at ?a)) (probabilistic 1/2 (not (charged)))))
-  (:action take :parameters (?s - station)
-    :precondition (and (at ?s) (spare ?s) (not (carries)))
-    :effect (and (carries) (not (spare ?s))))
-  (:action change :precondition (carries)
-    :effect (and (charged) (not (carries)))))
-)";
-
-/// A ladder of stations: spares along one rail, the goal at the other's end.
-std::string Ladder(int length) {
-  std::string objects, init = "(at a0) (charged)";
-  for (int i = 0; i < length; ++i) {
-    const std::string n = std::to_string(i);
-    const std::string next = std::to_string(i + 1);
-    objects += " a" + n + " b" + n;
-    init += " (spare b" + n + ") (way a" + n + " b" + n + ") (way b" + n +
-            " a" + n + ")";
-    if (i + 1 == length) break;
-    init += " (way a" + n + " a" + next + ") (way b" + n + " b" + next +
-            ") (way b" + next + " b" + n + ")";
-  }
-  return "(define (problem ladder) (:domain rover) (:objects" + objects +
-         " - station) (:init " + init + ") (:goal (at a" +
-         std::to_string(length - 1) + ")))";
-}
-
 GroundTask LadderTask(int length, ConstantAtoms constants) {
   const auto domain = ppddl::ParseDomain(kRover, "rover");
-  const auto problem = ppddl::ParseProblem(Ladder(length), "ladder", domain);
+  const auto problem =
+      ppddl::ParseProblem(LadderProblem(length), "ladder", domain);
   const auto task = GroundPpddl(domain, problem, constants);
   if (!task) throw std::runtime_error(task.reason());
   return *task;

@@ -16,6 +16,7 @@ NOISE = [
     ('live cell', 0.50),
     ('memory', 0.05),
     ('log', 0.02),
+    ('growth', 0.50),
     ('', 0.15),
 ]
 
@@ -39,6 +40,24 @@ def figures_of_lines(text):
         figure = json.loads(line)
         figure['name'] = figure.pop('figure')
         figures.append(with_ratio(figure))
+    return figures
+
+
+def figures_of_growth(rows):
+    """Those of the table of `cell eval growth`: of each series the larger sizes,
+    with the smallest one as the baseline."""
+    figures = []
+    first = {}
+    for row in rows:
+        name = f"growth: {row['series']}, {row['size']} {row['grows']}"
+        milliseconds = 1000 * float(row['seconds'])
+        if row['series'] not in first:
+            first[row['series']] = name, milliseconds
+            continue
+        baseline, value = first[row['series']]
+        figures.append(with_ratio({
+            'name': name, 'value': milliseconds, 'unit': 'ms', 'better': 'less',
+            'baseline': baseline, 'baseline_value': value}))
     return figures
 
 

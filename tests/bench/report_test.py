@@ -53,6 +53,18 @@ class ReportTest(unittest.TestCase):
         slow_machine = dict(cost('a', 1.0), value=300, baseline_value=300)
         self.assertFalse(report.compare([cost('a', 1.0)], [slow_machine])[1])
 
+    def test_growth_is_measured_by_the_smallest_size_of_its_series(self):
+        rows = [{'series': s, 'grows': 'objects', 'size': n, 'seconds': t}
+                for s, n, t in (('plan', '5', '0.002'), ('plan', '10', '0.01'),
+                                ('learn', '5', '0.5'), ('learn', '10', '1'))]
+        figures = report.figures_of_growth(rows)
+        self.assertEqual([(f['name'], f['baseline'], f['ratio'])
+                          for f in figures],
+                         [('growth: plan, 10 objects',
+                           'growth: plan, 5 objects', 5.0),
+                          ('growth: learn, 10 objects',
+                           'growth: learn, 5 objects', 2.0)])
+
     def test_reads_lines_among_others(self):
         figures = report.figures_of_lines(
             'hello\n{"figure": "x", "value": 3, "unit": "us", "better": "less",'

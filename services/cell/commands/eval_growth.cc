@@ -57,7 +57,7 @@ std::vector<GrowthSeries> MeasureAll(const EvalGrowthOptions& options) {
 }
 
 int EvalGrowth(const EvalGrowthOptions& options) {
-  const std::string png = options.csv_file + ".png";
+  const std::string png = PictureOf(options.csv_file);
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherGrowth);
     RequireFree(png, kAnotherGrowth);
@@ -65,11 +65,9 @@ int EvalGrowth(const EvalGrowthOptions& options) {
   const std::vector<GrowthSeries> all = MeasureAll(options);
   std::cout << GrowthText(all);
   if (options.csv_file.empty()) return 0;
-  WriteNewFile(options.csv_file, GrowthCsv(all), kAnotherGrowth);
-  const std::string problem =
-      RunGnuplot(GrowthPlot(all, options.csv_file, png));
-  std::cout << fmt::format("written: {}\n{}\n", options.csv_file,
-                           problem.empty() ? "written: " + png : problem);
+  std::cout << WritePlottedTable(options.csv_file, GrowthCsv(all),
+                                 GrowthPlot(all, options.csv_file, png),
+                                 kAnotherGrowth);
   return 0;
 }
 

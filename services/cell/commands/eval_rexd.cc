@@ -10,10 +10,9 @@
 #include "services/cell/commands/eval_rexd_blocks.h"
 #include "services/cell/commands/eval_rexd_curve.h"
 #include "services/cell/commands/eval_rexd_options.h"
+#include "services/cell/commands/rexd_trials.h"
 #include "services/cell/evaluations/gnuplot.h"
-#include "services/cell/evaluations/missing_runs.h"
-#include "services/cell/evaluations/rexd_figures.h"
-#include "services/cell/evaluations/row_store.h"
+#include "services/cell/evaluations/rexd_statements.h"
 
 namespace cell::cli {
 namespace {
@@ -44,17 +43,6 @@ json RunTrial(const rexd::RexdTask& task, const EvalRexdOptions& options,
   return row;
 }
 
-void WriteFigure(const EvalRexdOptions& options,
-                 const std::vector<RexdGroup>& groups) {
-  const std::string png = options.csv_file + ".png";
-  WriteNewFile(options.csv_file, RexdCsv(groups, options.episodes),
-               kAnotherTable);
-  const std::string problem =
-      RunGnuplot(RexdPlot(groups, options.episodes, options.csv_file, png));
-  std::cout << fmt::format("written: {}\n{}\n", options.csv_file,
-                           problem.empty() ? "written: " + png : problem);
-}
-
 /// Prints the figures of all success rates and what they say of the paper.
 void Report(const EvalRexdOptions& options, const rexd::RexdTask& task,
             const std::vector<RexdGroup>& groups) {
@@ -65,12 +53,7 @@ void Report(const EvalRexdOptions& options, const rexd::RexdTask& task,
                              group.success, group.rows.size(), options.teacher,
                              RexdText(group, options.episodes, floor));
   }
-  for (const RexdStatement& statement :
-       CheckRexdStatements(groups, options.episodes, floor)) {
-    std::cout << fmt::format("{:5} {}: {}\n",
-                             statement.is_true ? "true" : "false",
-                             statement.text, statement.found);
-  }
+  std::cout << ToText(CheckRexdStatements(groups, options.episodes, floor));
 }
 
 /// The curve, with the options that both evaluations have.
@@ -86,30 +69,19 @@ int EvalCurve(const EvalRexdOptions& options, LearningCurveOptions curve) {
 
 int EvalEpisodes(const EvalRexdOptions& options) {
   const rexd::RexdTask task = LoadRexdTask(options);
-  const std::vector<RexdTrial> trials = TrialsOf(options);
-  RowStore store(RowsFile(options), options.is_resumed);
-  std::vector<std::string> keys;
-  for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
-  DoMissingRuns(
-      keys, options.jobs,
-      [&](size_t i) { return RunTrial(task, options, trials[i]); }, &store);
-  size_t num_rows = 0;
-  std::vector<RexdGroup> groups;
-  for (const double success : options.successes) {
-    RexdGroup group{success, {}};
-    for (const RexdTrial& trial : trials) {
-      if (trial.success == success && store.Has(trial.Key())) {
-        group.rows.push_back(store.At(trial.Key()));
-      }
-    }
-    num_rows += group.rows.size();
-    if (!group.rows.empty()) groups.push_back(std::move(group));
+  const RexdTrialRows rows = RunTrials(options, [&](const RexdTrial& trial) {
+    return RunTrial(task, options, trial);
+  });
+  Report(options, task, rows.groups);
+  if (!options.csv_file.empty()) {
+    std::cout << WritePlottedTable(
+        options.csv_file, RexdCsv(rows.groups, options.episodes),
+        RexdPlot(rows.groups, options.episodes, options.csv_file,
+                 PictureOf(options.csv_file)),
+        kAnotherTable);
   }
-  Report(options, task, groups);
-  if (!options.csv_file.empty()) WriteFigure(options, groups);
-  std::cout << fmt::format("rows in {} ({} of {} runs)\n",
-                           store.path().string(), num_rows, trials.size());
-  return num_rows == trials.size() ? 0 : 1;
+  std::cout << ToText(rows);
+  return rows.is_complete() ? 0 : 1;
 }
 
 int EvalRexd(const EvalRexdOptions& options,
@@ -117,7 +89,7 @@ int EvalRexd(const EvalRexdOptions& options,
   if (!curve.domain_file.empty()) return EvalCurve(options, curve);
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherTable);
-    RequireFree(options.csv_file + ".png", kAnotherTable);
+    RequireFree(PictureOf(options.csv_file), kAnotherTable);
   }
   return options.blocks.empty() ? EvalEpisodes(options) : EvalBlocks(options);
 }

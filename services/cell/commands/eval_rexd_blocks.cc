@@ -4,11 +4,9 @@
 
 #include <iostream>
 
-#include "common/files/draft.h"
+#include "services/cell/commands/rexd_trials.h"
 #include "services/cell/evaluations/gnuplot.h"
-#include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/rexd_blocks.h"
-#include "services/cell/evaluations/row_store.h"
 
 namespace cell::cli {
 namespace {
@@ -45,27 +43,13 @@ std::vector<double> FloorsOf(const std::vector<rexd::RexdTask>& blocks) {
   return floors;
 }
 
-void WriteBlocksFigure(const EvalRexdOptions& options, const BlockPlan& plan,
-                       const std::vector<BlockGroup>& groups) {
-  const std::string png = options.csv_file + ".png";
-  WriteNewFile(options.csv_file, BlocksCsv(plan, groups), kAnotherTable);
-  const std::string problem =
-      RunGnuplot(BlocksPlot(plan, groups, options.csv_file, png));
-  std::cout << fmt::format("written: {}\n{}\n", options.csv_file,
-                           problem.empty() ? "written: " + png : problem);
-}
-
 void ReportBlocks(const EvalRexdOptions& options, const BlockPlan& plan,
-                  const std::vector<BlockGroup>& groups) {
-  for (const BlockGroup& group : groups) {
+                  const std::vector<RexdGroup>& groups) {
+  for (const RexdGroup& group : groups) {
     std::cout << fmt::format("success {}, {} runs, teacher {}\n{}",
                              group.success, group.rows.size(), options.teacher,
                              BlocksText(plan, group));
-    for (const RexdStatement& statement : CheckBlockStatements(plan, group)) {
-      std::cout << fmt::format("{:5} {}: {}\n",
-                               statement.is_true ? "true" : "false",
-                               statement.text, statement.found);
-    }
+    std::cout << ToText(CheckBlockStatements(plan, group));
   }
 }
 
@@ -77,31 +61,19 @@ int EvalBlocks(const EvalRexdOptions& options) {
   for (const std::string& block : options.blocks) {
     plan.names.push_back(NameOfBlock(block));
   }
-  const std::vector<RexdTrial> trials = TrialsOf(options);
-  RowStore store(RowsFile(options), options.is_resumed);
-  std::vector<std::string> keys;
-  for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
-  DoMissingRuns(
-      keys, options.jobs,
-      [&](size_t i) { return RunBlocks(blocks, ParamsOf(options, trials[i])); },
-      &store);
-  size_t num_rows = 0;
-  std::vector<BlockGroup> groups;
-  for (const double success : options.successes) {
-    BlockGroup group{success, {}};
-    for (const RexdTrial& trial : trials) {
-      if (trial.success == success && store.Has(trial.Key())) {
-        group.rows.push_back(store.At(trial.Key()));
-      }
-    }
-    num_rows += group.rows.size();
-    if (!group.rows.empty()) groups.push_back(std::move(group));
+  const RexdTrialRows rows = RunTrials(options, [&](const RexdTrial& trial) {
+    return RunBlocks(blocks, ParamsOf(options, trial));
+  });
+  ReportBlocks(options, plan, rows.groups);
+  if (!options.csv_file.empty()) {
+    std::cout << WritePlottedTable(
+        options.csv_file, BlocksCsv(plan, rows.groups),
+        BlocksPlot(plan, rows.groups, options.csv_file,
+                   PictureOf(options.csv_file)),
+        kAnotherTable);
   }
-  ReportBlocks(options, plan, groups);
-  if (!options.csv_file.empty()) WriteBlocksFigure(options, plan, groups);
-  std::cout << fmt::format("rows in {} ({} of {} runs)\n",
-                           store.path().string(), num_rows, trials.size());
-  return num_rows == trials.size() ? 0 : 1;
+  std::cout << ToText(rows);
+  return rows.is_complete() ? 0 : 1;
 }
 
 }  // namespace cell::cli

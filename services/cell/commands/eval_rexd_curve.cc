@@ -100,11 +100,9 @@ void PrintRuns(const std::vector<json>& rows,
 
 void WriteCurve(const std::vector<CurvePoint>& curve,
                 const std::string& csv_file) {
-  const std::string png = csv_file + ".png";
-  WriteNewFile(csv_file, CurveCsv(curve), kAnotherCurve);
-  const std::string problem = RunGnuplot(CurvePlot(csv_file, png));
-  std::cout << fmt::format("written: {}\n{}\n", csv_file,
-                           problem.empty() ? "written: " + png : problem);
+  std::cout << WritePlottedTable(csv_file, CurveCsv(curve),
+                                 CurvePlot(csv_file, PictureOf(csv_file)),
+                                 kAnotherCurve);
 }
 
 std::string RowsFile(const LearningCurveOptions& options) {
@@ -120,7 +118,7 @@ std::string RowsFile(const LearningCurveOptions& options) {
 int EvalLearningCurve(const LearningCurveOptions& options) {
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherCurve);
-    RequireFree(options.csv_file + ".png", kAnotherCurve);
+    RequireFree(PictureOf(options.csv_file), kAnotherCurve);
   }
   const Problems problems = LoadProblems(options);
   RowStore store(RowsFile(options), options.is_resumed);

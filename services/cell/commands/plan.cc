@@ -20,6 +20,7 @@
 #include "common/planning/rollout.h"
 #include "common/ppddl/problem.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/search_file.h"
 #include "services/cell/reporting/plan_picture.h"
 #include "services/cell/reporting/plan_report.h"
 
@@ -29,10 +30,15 @@ namespace {
 using planning::Plan;
 
 constexpr int kMaxRollouts = 10'000'000;
+/// Without --fewest: a second or two.
+constexpr int64_t kMinimizeExpansions = 50'000;
 
 struct PlanOptions {
   std::vector<std::string> files;  // domain, problem
   planning::Planner::Params params;
+  bool is_fewest = false;
+  std::string search_file;  // empty: none
+  bool is_resumed = false;
   int rollouts = 0;
   uint64_t seed = 1;
   std::string json_file;
@@ -84,18 +90,35 @@ void AddExcuses(const ppddl::Domain& domain, const ppddl::Problem& problem,
   }
 }
 
+/// Finds the plan, in a search that is kept in the file of --save.
+Plan FindPlan(const PlanOptions& options, const std::string& question,
+              const planning::GroundModel& model, planning::Planner* planner) {
+  if (options.search_file.empty()) return planner->Find(model.initial());
+  SearchFile file(options.search_file, question, options.is_resumed);
+  file.Restore(planner);
+  Plan plan = planner->Find(model.initial(), file.SaveWhile(planner));
+  file.ThrowIfStopped();
+  return plan;
+}
+
 PlanReport MakePlan(const PlanOptions& options) {
+  const std::string domain_text = TextOf(options.files[0]);
+  const std::string problem_text = TextOf(options.files[1]);
   const ppddl::Domain domain =
-      ppddl::ParseDomain(TextOf(options.files[0]), options.files[0]);
+      ppddl::ParseDomain(domain_text, options.files[0]);
   const ppddl::Problem problem =
-      ppddl::ParseProblem(TextOf(options.files[1]), options.files[1], domain);
+      ppddl::ParseProblem(problem_text, options.files[1], domain);
   const auto model = std::make_shared<planning::GroundModel>(
       Ground(domain, problem, options.files[1]));
-  planning::Planner planner(model, options.params);
+  planning::Planner::Params params = options.params;
+  if (!options.is_fewest) params.max_minimize_expansions = kMinimizeExpansions;
+  planning::Planner planner(model, params);
   PlanReport report;
   report.domain = domain.name;
   report.problem = problem.name;
-  report.plan = planner.Find(model->initial());
+  const std::string question =
+      fmt::format("{}\n{}\n{}", domain_text, problem_text, params.precision);
+  report.plan = FindPlan(options, question, *model, &planner);
   if (report.plan.status == Plan::Status::kNoPlan) {
     AddExcuses(domain, problem, &report);
   }
@@ -129,10 +152,12 @@ void AddPlan(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
       "plan",
       "Plan for a PPDDL problem: the highest probability of reaching the goal, "
-      "with a proven interval, then the fewest actions to be expected; or why "
-      "there is no plan and what would allow one. Costs and rewards are "
-      "ignored. Exit code 1 without a plan.\n"
-      "Example: cell plan --ppddl domain.pddl problem.pddl --json plan.json");
+      "with a proven interval, then the fewest actions to be expected, proven "
+      "if that is soon done; or why there is no plan and what would allow one. "
+      "Costs and rewards are ignored. Exit code 1 without a plan.\n"
+      "Example: cell plan --ppddl domain.pddl problem.pddl --json plan.json\n"
+      "Example: cell plan --ppddl domain.pddl problem.pddl --fewest --save "
+      "search --resume");
   command->add_option("--ppddl", options->files, "domain file and problem file")
       ->expected(2)
       ->required();
@@ -146,6 +171,23 @@ void AddPlan(CLI::App& app, Action* action) {
                    "width of the probability's interval that is good enough")
       ->check(NumberIn<double>(1e-12, 1))
       ->capture_default_str();
+  command->add_flag(
+      "--fewest", options->is_fewest,
+      fmt::format("prove that no plan of the same probability needs fewer "
+                  "actions, within --max-expansions; otherwise at most {} "
+                  "expansions go into that, and the result says whether it "
+                  "was proven",
+                  kMinimizeExpansions));
+  CLI::Option* save = command->add_option(
+      "--save", options->search_file,
+      "keep the search here (about as large as its memory), now and then, at "
+      "the end and on Ctrl-C, so that it can go on");
+  command
+      ->add_flag("--resume", options->is_resumed,
+                 "go on from the file of --save, if it is there, as if the "
+                 "search had not been interrupted; or with more "
+                 "--max-expansions")
+      ->needs(save);
   command->add_flag("--alternatives", options->params.solve_alternatives,
                     "the same precision for every first action");
   command

@@ -27,12 +27,16 @@ std::string TextOfFile(const fs::path& path) {
   return text.str();
 }
 
+ExperienceFiles FilesOfExperiences(const fs::path& data,
+                                   const fs::path& symbols) {
+  const fs::path file = fs::is_directory(data) ? data / "data.dat" : data;
+  return {file, symbols.empty() ? file.parent_path() / "symbols.dat" : symbols};
+}
+
 rules::ExperienceSet LoadExperiences(const fs::path& data,
                                      const fs::path& symbols) {
-  const fs::path file = fs::is_directory(data) ? data / "data.dat" : data;
+  const auto [file, declarations] = FilesOfExperiences(data, symbols);
   const std::string text = TextOfFile(file);
-  const fs::path declarations =
-      symbols.empty() ? file.parent_path() / "symbols.dat" : symbols;
   auto table =
       std::make_shared<const rules::SymbolTable>(rules::SymbolTable::Parse(
           TextOfFile(declarations), declarations.string()));

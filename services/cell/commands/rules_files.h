@@ -13,9 +13,18 @@ namespace cell::cli {
 /// The whole file. @throws std::runtime_error naming it
 std::string TextOfFile(const std::filesystem::path& path);
 
-/// Reads experiences, and the symbols that they are written with.
+/// Where experiences are, and the symbols that they are written with.
+struct ExperienceFiles {
+  std::filesystem::path data;
+  std::filesystem::path symbols;
+};
 /// @param data     a file, or a folder with data.dat
 /// @param symbols  a file; if empty, symbols.dat beside the data
+ExperienceFiles FilesOfExperiences(const std::filesystem::path& data,
+                                   const std::filesystem::path& symbols);
+
+/// Reads experiences, and the symbols that they are written with.
+/// @param data, symbols  as FilesOfExperiences() takes them
 /// @throws RuleError, std::runtime_error naming file and line
 rules::ExperienceSet LoadExperiences(const std::filesystem::path& data,
                                      const std::filesystem::path& symbols);

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "common/files/draft.h"
+
 namespace cell::cli {
 namespace {
 
@@ -25,6 +27,19 @@ std::string RunGnuplot(const std::string& program) {
     return "no plot: gnuplot is not installed (package gnuplot-nox)";
   }
   return "no plot: gnuplot failed";
+}
+
+std::string PictureOf(const std::string& csv_file) {
+  return csv_file + ".png";
+}
+
+std::string WritePlottedTable(const std::string& csv_file,
+                              const std::string& csv,
+                              const std::string& program, const char* advice) {
+  WriteNewFile(csv_file, csv, advice);
+  const std::string problem = RunGnuplot(program);
+  return "written: " + csv_file + "\n" +
+         (problem.empty() ? "written: " + PictureOf(csv_file) : problem) + "\n";
 }
 
 }  // namespace cell::cli

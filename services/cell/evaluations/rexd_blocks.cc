@@ -16,7 +16,7 @@ constexpr const char* kBlockCounts[] = {"actions", "demonstrations",
                                         "explorations"};
 constexpr const char* kKnowledge[] = {kCarriedOver, kFromScratch};
 
-RexdGroup With(const char* knowledge, const BlockGroup& group) {
+RexdGroup With(const char* knowledge, const RexdGroup& group) {
   RexdGroup part{group.success, {}};
   for (const json& row : group.rows) part.rows.push_back(row.at(knowledge));
   return part;
@@ -51,7 +51,7 @@ struct PairedDifference {
   double margin = 0;  ///< of its 95 % interval
 };
 
-PairedDifference SavedIn(const BlockGroup& group, int first, int last) {
+PairedDifference SavedIn(const RexdGroup& group, int first, int last) {
   PairedDifference saved;
   const double n = static_cast<double>(group.rows.size());
   std::vector<double> differences;
@@ -70,7 +70,7 @@ PairedDifference SavedIn(const BlockGroup& group, int first, int last) {
 
 }  // namespace
 
-std::string BlocksText(const BlockPlan& plan, const BlockGroup& group) {
+std::string BlocksText(const BlockPlan& plan, const RexdGroup& group) {
   std::string text;
   for (int block = 0; block < plan.num_blocks(); ++block) {
     const int first = block * plan.num_episodes;
@@ -93,13 +93,13 @@ std::string BlocksText(const BlockPlan& plan, const BlockGroup& group) {
 }
 
 std::string BlocksCsv(const BlockPlan& plan,
-                      const std::vector<BlockGroup>& groups) {
+                      const std::vector<RexdGroup>& groups) {
   std::string csv = "success,knowledge,block,episode";
   for (const char* count : kBlockCounts) {
     csv += fmt::format(",{0},{0}_sd", count);
   }
   csv += ",goal_reached\n";
-  for (const BlockGroup& group : groups) {
+  for (const RexdGroup& group : groups) {
     for (const char* knowledge : kKnowledge) {
       const RexdGroup part = With(knowledge, group);
       for (int i = 0; i < plan.num_blocks() * plan.num_episodes; ++i) {
@@ -118,7 +118,7 @@ std::string BlocksCsv(const BlockPlan& plan,
 }
 
 std::string BlocksPlot(const BlockPlan& plan,
-                       const std::vector<BlockGroup>& groups,
+                       const std::vector<RexdGroup>& groups,
                        const std::string& csv, const std::string& png) {
   const int num_episodes = plan.num_blocks() * plan.num_episodes;
   std::string text = fmt::format(
@@ -136,7 +136,7 @@ std::string BlocksPlot(const BlockPlan& plan,
   for (const char* count : kBlockCounts) {
     text += fmt::format("set ylabel '{}'\nplot ", count);
     int line = 0;
-    for (const BlockGroup& group : groups) {
+    for (const RexdGroup& group : groups) {
       for (const char* knowledge : kKnowledge) {
         const int first = 1 + line * num_episodes;
         text += fmt::format(
@@ -154,7 +154,7 @@ std::string BlocksPlot(const BlockPlan& plan,
 }
 
 std::vector<RexdStatement> CheckBlockStatements(const BlockPlan& plan,
-                                                const BlockGroup& group) {
+                                                const RexdGroup& group) {
   std::vector<RexdStatement> statements;
   const RexdGroup carried = With(kCarriedOver, group);
   const RexdGroup scratch = With(kFromScratch, group);

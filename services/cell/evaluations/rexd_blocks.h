@@ -1,10 +1,9 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "services/cell/evaluations/rexd_figures.h"
+#include "services/cell/evaluations/rexd_statements.h"
 
 namespace cell::cli {
 
@@ -22,29 +21,23 @@ struct BlockPlan {
 inline constexpr char kCarriedOver[] = "carried over";
 inline constexpr char kFromScratch[] = "from scratch";
 
-/// The runs of one success rate. A row has, for each of the two, the lists
-/// actions, demonstrations, explorations and reached with a number for each
-/// episode of all blocks.
-struct BlockGroup {
-  double success = 1;
-  std::vector<nlohmann::json> rows;
-};
-
-/// The table of all blocks and episodes, for people and as CSV.
-std::string BlocksText(const BlockPlan& plan, const BlockGroup& group);
+/// The table of all blocks and episodes, for people and as CSV. A row has, for
+/// each of the two, the lists actions, demonstrations, explorations and reached
+/// with a number for each episode of all blocks.
+std::string BlocksText(const BlockPlan& plan, const RexdGroup& group);
 std::string BlocksCsv(const BlockPlan& plan,
-                      const std::vector<BlockGroup>& groups);
+                      const std::vector<RexdGroup>& groups);
 
 /// Commands of gnuplot that draw the CSV, with error bars of one standard
 /// deviation.
 std::string BlocksPlot(const BlockPlan& plan,
-                       const std::vector<BlockGroup>& groups,
+                       const std::vector<RexdGroup>& groups,
                        const std::string& csv, const std::string& png);
 
 /// Whether learning carries over: of each block but the first, that it needs
 /// fewer demonstrations than from scratch, and that at most one is left to ask
 /// for.
 std::vector<RexdStatement> CheckBlockStatements(const BlockPlan& plan,
-                                                const BlockGroup& group);
+                                                const RexdGroup& group);
 
 }  // namespace cell::cli

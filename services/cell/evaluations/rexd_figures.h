@@ -6,11 +6,7 @@
 
 namespace cell::cli {
 
-/// The runs of one success rate. A row has the lists actions, demonstrations,
-/// explorations, reached and dead_ends with a number for each episode;
-/// fatal_rules with the true rule of the action that led to a dead end, or -1,
-/// and shown_falls with 1 if the teacher did it; states and valid of the frozen
-/// rules; probabilities by action [p, experiences].
+/// The runs of one success rate.
 struct RexdGroup {
   double success = 1;
   std::vector<nlohmann::json> rows;
@@ -25,7 +21,11 @@ struct MeanAndSd {
 MeanAndSd SummariseCount(const RexdGroup& group, const std::string& count,
                          int first, int last);
 
-/// The table of Fig. 17, for people and as CSV.
+/// The table of Fig. 17, for people and as CSV. A row has the lists actions,
+/// demonstrations, explorations, reached and dead_ends with a number for each
+/// episode; fatal_rules with the true rule of the action that led to a dead
+/// end, or -1, and shown_falls with 1 if the teacher did it; states and valid
+/// of the frozen rules; probabilities by action [p, experiences].
 std::string RexdText(const RexdGroup& group, int num_episodes, double floor);
 std::string RexdCsv(const std::vector<RexdGroup>& groups, int num_episodes);
 
@@ -33,15 +33,5 @@ std::string RexdCsv(const std::vector<RexdGroup>& groups, int num_episodes);
 /// standard deviation.
 std::string RexdPlot(const std::vector<RexdGroup>& groups, int num_episodes,
                      const std::string& csv, const std::string& png);
-
-/// What the paper's text says about Fig. 17.
-struct RexdStatement {
-  std::string text;   ///< of the paper, in short
-  std::string found;  ///< the values
-  bool is_true = false;
-};
-/// @param floor  actions of the shortest way to the goal without a failure
-std::vector<RexdStatement> CheckRexdStatements(
-    const std::vector<RexdGroup>& groups, int num_episodes, double floor);
 
 }  // namespace cell::cli

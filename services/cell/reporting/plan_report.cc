@@ -106,10 +106,10 @@ std::string ToText(const PlanReport& report) {
   if (!plan.reason.empty()) text += "reason: " + plan.reason + "\n";
   if (plan.status == Plan::Status::kFound) {
     text += "probability: " + ProbabilityText(plan.probability) + "\n";
-    text +=
-        fmt::format("expected actions: {:.9g}, {}\n", plan.expected_actions,
-                    plan.is_shortest ? "the fewest of the most probable plans"
-                                     : "not proven to be the fewest");
+    text += fmt::format("expected actions: {:.9g}, {}\n", plan.expected_actions,
+                        plan.is_shortest
+                            ? "proven the fewest of the most probable plans"
+                            : "not proven to be the fewest (see --fewest)");
     text += CourseText(plan) + AlternativesText(plan);
   } else if (plan.status == Plan::Status::kUndecided) {
     text += "probability: " + ProbabilityText(plan.probability) + "\n";

@@ -30,7 +30,7 @@ json RowOf(const std::vector<int>& carried, const std::vector<int>& scratch) {
 const BlockPlan kTwoBlocks{{"first", "second"}, {4, 5}, 2};
 
 TEST(BlockStatements, AreTrueIfOneDemonstrationWasEnoughInEveryRun) {
-  const BlockGroup group{
+  const RexdGroup group{
       1,
       {RowOf({5, 1, 1, 0}, {5, 1, 4, 0}), RowOf({6, 0, 0, 1}, {6, 0, 5, 0})}};
   const auto statements = CheckBlockStatements(kTwoBlocks, group);
@@ -42,7 +42,7 @@ TEST(BlockStatements, AreTrueIfOneDemonstrationWasEnoughInEveryRun) {
 }
 
 TEST(BlockStatements, AreFalseIfMoreWereNeededOrNoFewer) {
-  const BlockGroup group{
+  const RexdGroup group{
       1,
       {RowOf({5, 1, 2, 0}, {5, 1, 2, 0}), RowOf({6, 0, 0, 1}, {6, 0, 1, 0})}};
   const auto statements = CheckBlockStatements(kTwoBlocks, group);
@@ -53,7 +53,7 @@ TEST(BlockStatements, AreFalseIfMoreWereNeededOrNoFewer) {
 }
 
 TEST(BlocksCsv, HasALineForEachEpisodeWithEitherKnowledge) {
-  const BlockGroup group{0.5, {RowOf({5, 1, 2, 0}, {5, 1, 3, 0})}};
+  const RexdGroup group{0.5, {RowOf({5, 1, 2, 0}, {5, 1, 3, 0})}};
   const std::string csv = BlocksCsv(kTwoBlocks, {group});
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 2 * 4);
   EXPECT_THAT(csv, HasSubstr("0.5,carried over,second,3,7,0,2,0,0,0,1\n"));

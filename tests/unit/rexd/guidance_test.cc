@@ -61,6 +61,24 @@ TEST_F(GuidanceOnPlacing, NamesAPreconditionThatCannotBeReached) {
                         "needs cover(red), which I cannot reach."));
 }
 
+TEST_F(GuidanceOnPlacing, EveryExcuseIsTold) {
+  NdrRules rules = task_.truth;
+  const int cover = *task_.world->symbols().Find("cover");
+  rules.rules[0].context.push_back(
+      {cover, {{Term::Kind::kVariable, 0}}, Comparison::kTrue, 0});
+  const Guidance guidance = Find(rules);
+  // Either book may be a cover, or be placed already.
+  EXPECT_GT(guidance.excuses.size(), 1u);
+  EXPECT_FALSE(guidance.further_excuses.empty());
+  const std::string text = ToText(guidance, *task_.world);
+  for (const auto& excuse : guidance.excuses) {
+    for (const Literal& l : excuse) {
+      const int object = l.terms[0].index;
+      EXPECT_THAT(text, HasSubstr(task_.world->Show(l.symbol, {&object, 1})));
+    }
+  }
+}
+
 TEST_F(GuidanceOnPlacing, AnAlternativeSwapsTheWrongPrecondition) {
   NdrRules rules = task_.truth;
   // One book was placed: was it because it is not blue, or because it is a

@@ -1,0 +1,40 @@
+#include "services/cell/commands/rexd_trials.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "services/cell/evaluations/missing_runs.h"
+#include "services/cell/evaluations/row_store.h"
+
+namespace cell::cli {
+
+RexdTrialRows RunTrials(
+    const EvalRexdOptions& options,
+    const std::function<nlohmann::json(const RexdTrial&)>& run) {
+  const std::vector<RexdTrial> trials = TrialsOf(options);
+  RowStore store(RowsFile(options), options.is_resumed);
+  std::vector<std::string> keys;
+  for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
+  DoMissingRuns(
+      keys, options.jobs, [&](size_t i) { return run(trials[i]); }, &store);
+  RexdTrialRows rows{{}, 0, trials.size(), store.path()};
+  for (const double success : options.successes) {
+    RexdGroup group{success, {}};
+    for (const RexdTrial& trial : trials) {
+      if (trial.success == success && store.Has(trial.Key())) {
+        group.rows.push_back(store.At(trial.Key()));
+      }
+    }
+    rows.num_rows += group.rows.size();
+    if (!group.rows.empty()) rows.groups.push_back(std::move(group));
+  }
+  return rows;
+}
+
+std::string ToText(const RexdTrialRows& rows) {
+  return fmt::format("rows in {} ({} of {} runs)\n", rows.file.string(),
+                     rows.num_rows, rows.num_trials);
+}
+
+}  // namespace cell::cli

@@ -1,0 +1,102 @@
+// Long commands that go on after an interruption, as users run them.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/system/run_cell.h"
+#include "tests/unit/ladder_ppddl.h"
+
+namespace cell {
+namespace {
+
+using testing::HasSubstr;
+
+class ResumedCommand : public RunCell {
+ protected:
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(dir_ / name, std::ios::binary) << text;
+  }
+  std::string Read(const std::string& name) const {
+    std::ifstream file(dir_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// Without the memory, which depends on the process.
+  std::string PlanWith(const std::string& options) const {
+    const ShellResult result =
+        Cell("plan --ppddl domain.pddl problem.pddl " + options);
+    EXPECT_EQ(result.code, 0) << result.output;
+    return result.output.substr(0, result.output.rfind(" MB; "));
+  }
+};
+
+TEST_F(ResumedCommand, APlanIsFoundFurtherFromWhereTheBudgetEnded) {
+  Write("domain.pddl", kRover);
+  Write("problem.pddl", LadderProblem(8));
+  const std::string whole = PlanWith("--fewest");
+  EXPECT_THAT(whole, HasSubstr("proven the fewest"));
+  Cell("plan --ppddl domain.pddl problem.pddl --save s --max-expansions 40");
+  const std::string half = Read("s");
+  EXPECT_FALSE(half.empty());
+  EXPECT_THAT(PlanWith("--fewest --save s --resume"),
+              HasSubstr("proven the fewest"));
+  // Whole now, and once more.
+  EXPECT_NE(Read("s"), half);
+  const std::string again = PlanWith("--fewest --save s --resume");
+  EXPECT_EQ(again, PlanWith("--fewest --save s --resume"));
+  EXPECT_EQ(PlanWith("--fewest --save new --resume"), whole);
+}
+
+TEST_F(ResumedCommand, ASearchIsNeitherOverwrittenNorMistaken) {
+  Write("domain.pddl", kRover);
+  Write("problem.pddl", LadderProblem(5));
+  PlanWith("--save s");
+  const std::string saved = Read("s");
+  const std::string plan = "plan --ppddl domain.pddl problem.pddl --save s";
+  EXPECT_THAT(Cell(plan).output, HasSubstr("--resume"));
+  EXPECT_THAT(Cell(plan + " --resume --precision 0.1").output,
+              HasSubstr("s: holds no search"));
+  Write("problem.pddl", LadderProblem(6));
+  EXPECT_THAT(Cell(plan + " --resume").output, HasSubstr("s: holds no search"));
+  Write("problem.pddl", LadderProblem(5));
+  EXPECT_EQ(Read("s"), saved);
+  Write("s", saved.substr(0, saved.size() / 2));
+  const ShellResult cut = Cell(plan + " --resume");
+  EXPECT_EQ(cut.code, 1);
+  EXPECT_THAT(cut.output, HasSubstr("remove it to begin anew"));
+  EXPECT_THAT(Cell("plan --ppddl domain.pddl problem.pddl --resume").output,
+              HasSubstr("--save"));
+}
+
+TEST_F(ResumedCommand, RulesAreLearnedFurtherAsIfNothingHadHappened) {
+  Write("symbols.dat",
+        "lift 1 action binary\ndrop 1 action binary\n"
+        "free 1 primitive binary\nheld 1 primitive binary\n");
+  std::string data;
+  for (int i = 0; i < 4; ++i) {
+    data += "free(1) free(2)\nlift(1)\nheld(1) free(2)\n";
+    data += "drop(1)\nfree(1) free(2)\nlift(2)\nheld(2) free(1)\ndrop(2)\n";
+  }
+  Write("data.dat", data + "free(1) free(2)\n");
+  EXPECT_EQ(Cell("rules learn . --out whole").code, 0);
+  const ShellResult first = Cell("rules learn . --rows rows --out first");
+  ASSERT_EQ(first.code, 0) << first.output;
+  const std::string rows = Read("rows");
+  const size_t end = rows.find('\n') + 1;
+  ASSERT_LT(end, rows.size()) << "one action only";
+  // As if it had been killed while it wrote the second row.
+  Write("rows", rows.substr(0, end + 5));
+  const ShellResult second =
+      Cell("rules learn . --rows rows --resume --out second");
+  EXPECT_EQ(second.code, 0) << second.output;
+  EXPECT_EQ(second.output, first.output);
+  EXPECT_EQ(Read("rows"), rows);
+  EXPECT_EQ(Read("first"), Read("whole"));
+  EXPECT_EQ(Read("second"), Read("whole"));
+  EXPECT_THAT(Cell("rules learn . --rows rows").output, HasSubstr("--resume"));
+}
+
+}  // namespace
+}  // namespace cell
