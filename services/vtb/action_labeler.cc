@@ -11,6 +11,7 @@ namespace {
 constexpr int64_t kSettleUs = 200'000;
 // A part that was let go may stand a little off what the person aimed at.
 constexpr double kSeatSlack = 2;
+constexpr double kBesideSeat = 0.050;            // [m] lies on the site, jammed
 constexpr double kMoved = 0.010;                 // [m]
 constexpr double kTurned = 10 * 0.017453292519;  // [rad]
 
@@ -36,8 +37,10 @@ const PlacementRule* ActionLabeler::RuleOf(const Part& part,
   return nullptr;
 }
 
-std::optional<std::string> ActionLabeler::SeatOf(const std::string& name,
-                                                 const World& world) const {
+template <class Accept>
+std::optional<std::string> ActionLabeler::FindSite(const std::string& name,
+                                                   const World& world,
+                                                   Accept accept) const {
   const Part& part = *world.table().Find(name);
   const Eigen::Isometry3d X_WO = world.PoseOf(name);
   for (const Part& host : world.table().parts()) {
@@ -46,15 +49,30 @@ std::optional<std::string> ActionLabeler::SeatOf(const std::string& name,
       if (rule == nullptr) continue;
       const Eigen::Isometry3d X_SO =
           (world.PoseOf(host.name) * site.X_HS).inverse() * X_WO;
-      const SeatTolerance& seated = rule->seated;
-      if (IsSeated(X_SO, 0,
-                   {kSeatSlack * seated.z, kSeatSlack * seated.xy,
-                    kSeatSlack * seated.tilt})) {
-        return site.name;
-      }
+      if (accept(X_SO, rule->seated)) return site.name;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::string> ActionLabeler::SeatOf(const std::string& name,
+                                                 const World& world) const {
+  return FindSite(
+      name, world,
+      [](const Eigen::Isometry3d& X_SO, const SeatTolerance& seated) {
+        return IsSeated(X_SO, 0,
+                        {kSeatSlack * seated.z, kSeatSlack * seated.xy,
+                         kSeatSlack * seated.tilt});
+      });
+}
+
+bool ActionLabeler::IsBesideItsSeat(const std::string& name,
+                                    const World& world) const {
+  return FindSite(name, world,
+                  [](const Eigen::Isometry3d& X_SO, const SeatTolerance&) {
+                    return X_SO.translation().norm() < kBesideSeat;
+                  })
+      .has_value();
 }
 
 // True unless all that must come before this placement is in place.
@@ -143,6 +161,9 @@ std::vector<LabeledAction> ActionLabeler::Conclude(const std::string& name,
   if (actions.empty()) {
     const bool is_tipped = IsUpright(X_WO) != IsUpright(grip.X_WO_pick);
     if (is_tipped) action.kind = LabeledAction::Kind::kTipped;
+    if (IsBesideItsSeat(name, world)) {
+      action.mistake = LabeledAction::Mistake::kNotSeated;
+    }
     actions.push_back(action);
   }
   return actions;

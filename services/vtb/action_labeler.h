@@ -15,7 +15,7 @@ namespace cell::vtb {
 /// Something a person did to a part, from gripping it to letting go.
 struct LabeledAction {
   enum class Kind { kPlaced, kTakenBack, kMoved, kTipped };
-  enum class Mistake { kNone, kOutOfOrder, kOutOfWorkspace };
+  enum class Mistake { kNone, kOutOfOrder, kOutOfWorkspace, kNotSeated };
   Kind kind = Kind::kMoved;
   Mistake mistake = Mistake::kNone;
   std::string part;
@@ -50,8 +50,14 @@ class ActionLabeler {
   std::vector<LabeledAction> Conclude(const std::string& part, const Grip& grip,
                                       const World& world) const;
   const PlacementRule* RuleOf(const Part& part, const Site& site) const;
+  /// The first site for which accept(where the part is in the site's frame,
+  /// when it is seated) holds.
+  template <class Accept>
+  std::optional<std::string> FindSite(const std::string& part,
+                                      const World& world, Accept accept) const;
   std::optional<std::string> SeatOf(const std::string& part,
                                     const World& world) const;
+  bool IsBesideItsSeat(const std::string& part, const World& world) const;
   bool IsTooEarly(const Part& part, const std::string& site,
                   const World& world) const;
 

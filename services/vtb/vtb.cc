@@ -353,8 +353,8 @@ void Vtb::PublishTruth() {
 void Vtb::PublishActions() {
   static_assert(static_cast<int>(LabeledAction::Kind::kTipped) ==
                 truth_action_t::TIPPED);
-  static_assert(static_cast<int>(LabeledAction::Mistake::kOutOfWorkspace) ==
-                truth_action_t::OUT_OF_WORKSPACE);
+  static_assert(static_cast<int>(LabeledAction::Mistake::kNotSeated) ==
+                truth_action_t::NOT_SEATED);
   for (const LabeledAction& action :
        episode_.actions->Update(bus_.now(), world_)) {
     truth_action_t message{};

@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/bus.h"
+#include "services/vtb/action_labeler.h"
+
 namespace cell {
 
 using namespace vtb;
@@ -45,6 +48,9 @@ class Stage {
   }
 
   World& world() { return world_; }
+  std::shared_ptr<const Demonstrations> demonstrations() const {
+    return demonstrations_;
+  }
   const Demonstrator& demonstrator() const { return demonstrator_; }
 
  private:
@@ -145,6 +151,30 @@ TEST(Demonstrator, LaysAPartOutsideTheWorkspace) {
     EXPECT_LT(std::abs(X_WO.linear()(2, 2)), 0.1) << part.name << " lies";
   }
   EXPECT_EQ(num_outside, 1);
+}
+
+// The plate is put on a few pegs, on which it may jam: nothing but its seat
+// says which.
+TEST(Demonstrator, APartThatWasPutOnItsSiteIsSeatedThereOrLabeledNotSeated) {
+  for (const uint64_t seed : {9003, 9008}) {
+    Stage stage("early_face_plate", seed);
+    ActionLabeler labeler(stage.demonstrations());
+    std::vector<LabeledAction> of_plate;
+    for (int64_t tick = 0; of_plate.empty(); ++tick) {
+      ASSERT_LT(stage.world().time(), kLongest);
+      stage.Step();
+      for (const auto& action : labeler.Update(tick * kTickUs, stage.world())) {
+        if (action.part == "face_plate") of_plate.push_back(action);
+      }
+    }
+    const World& world = stage.world();
+    const bool is_seated =
+        !SeatOf(*world.table().Find("face_plate"), world).empty();
+    EXPECT_EQ(of_plate[0].kind == LabeledAction::Kind::kPlaced, is_seated);
+    EXPECT_EQ(of_plate[0].mistake, is_seated
+                                       ? LabeledAction::Mistake::kOutOfOrder
+                                       : LabeledAction::Mistake::kNotSeated);
+  }
 }
 
 TEST(Demonstrator, VariesWithTheSeed) {

@@ -27,6 +27,11 @@ void TrueProgress::Update(const truth_action_t& action) {
   } else {
     outside_.erase(action.part);
   }
+  if (action.mistake == truth_action_t::NOT_SEATED) {
+    jammed_.insert(action.part);
+  } else {
+    jammed_.erase(action.part);
+  }
   if (action.kind == truth_action_t::TIPPED &&
       !lying_.insert(action.part).second) {
     lying_.erase(action.part);
@@ -42,6 +47,7 @@ void TrueProgress::Update(const truth_action_t& action) {
 }
 
 std::optional<int> TrueProgress::NumLeft() const {
+  if (!jammed_.empty()) return std::nullopt;
   const std::vector<bool> not_in_place = NotInPlace();
   int num_left = 0;
   std::map<std::string, int> num_open;  // by type of the part

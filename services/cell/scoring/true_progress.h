@@ -18,7 +18,8 @@ namespace cell::cli {
 ///
 /// All parts are to be placed. A part that was placed before another which has
 /// to come first has to be taken out again; a part that lies down has to be
-/// raised.
+/// raised. A part that lies over a site and is not seated has to be taken away,
+/// which is no action of the task.
 class TrueProgress {
  public:
   /// `demonstrations` must outlive this object. No part is placed yet.
@@ -27,7 +28,7 @@ class TrueProgress {
 
   void Update(const truth_action_t& action);
   /// Least number of actions to the goal; nullopt if a part that is needed is
-  /// out of the workspace: a dead end.
+  /// out of the workspace, or jammed over a site: a dead end.
   std::optional<int> NumLeft() const;
 
  private:
@@ -46,6 +47,7 @@ class TrueProgress {
   std::map<std::string, std::vector<std::string>> parts_of_;  // by type
   std::set<std::string> lying_;
   std::set<std::string> outside_;  // of the workspace
+  std::set<std::string> jammed_;   // over a site, not seated
 };
 
 /// How many sites of each type stay empty if all is placed that can be without

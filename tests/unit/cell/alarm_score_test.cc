@@ -111,6 +111,17 @@ TEST_F(AlarmScoreTest, APartOutsideTheWorkspaceIsADeadEnd) {
   EXPECT_TRUE(Score().is_faultless());
 }
 
+TEST_F(AlarmScoreTest, APartThatIsJammedIsADeadEndUntilItIsTakenAway) {
+  Do(kMoved, "face_plate", "", truth_action_t::NOT_SEATED);
+  EXPECT_EQ(progress_.NumLeft(), std::nullopt);
+  Say(alert_t::ERROR);
+  Do(kMoved, "face_plate");
+  EXPECT_EQ(progress_.NumLeft(), 9);
+  EXPECT_EQ(Score().num_errors_due, 1);
+  EXPECT_EQ(Score().num_called_errors, 1);
+  EXPECT_TRUE(Score().is_faultless());
+}
+
 TEST_F(AlarmScoreTest, TheWrongLevelIsNoSuccess) {
   Do(kMoved, "head", "", truth_action_t::OUT_OF_WORKSPACE);
   Say(alert_t::WARNING);
