@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "common/relational/literal_properties.h"
+
 namespace cell {
 namespace {
 
@@ -40,9 +42,7 @@ std::vector<RobotAddition> NeedsToPlace(const Term& part, const Term& arm,
 
 bool NamesWhatArmsReport(const NdrRule& rule, const Vocabulary& vocabulary) {
   return std::ranges::any_of(rule.context, [&](const Literal& literal) {
-    return !literal.is_static &&
-           vocabulary.predicates()[static_cast<size_t>(literal.relation)]
-               .report.has_value();
+    return IsReported(literal, vocabulary);
   });
 }
 

@@ -18,19 +18,19 @@ ConditionSearch::ConditionSearch(
     const std::vector<BoundExperience>& experiences,
     const rules::Literal& change, const std::vector<rules::Literal>& candidates,
     std::span<const int> landmarks, const VariableTypes& types,
-    const rules::World& world)
-    : experiences_(experiences), change_(change), types_(types), world_(world) {
+    const QuantifiedAtoms& atoms, const rules::World& world)
+    : experiences_(experiences),
+      change_(change),
+      types_(types),
+      atoms_(atoms),
+      world_(world) {
   FindExamples();
   if (positive_.IsEmpty()) return;
   for (const rules::Literal& literal : candidates) {
-    rules::BitSet holds(size());
-    for (int i = 0; i < size(); ++i) {
-      if (Holds(literal, examples_[static_cast<size_t>(i)])) holds.Add(i);
-    }
     const bool is_landmark = literal.comparison == rules::Comparison::kTrue &&
                              types_.IsNamedBy(literal) &&
                              std::ranges::count(landmarks, literal.symbol) > 0;
-    literals_.push_back({literal, std::move(holds), is_landmark});
+    literals_.push_back({literal, ExamplesWith(literal), is_landmark});
   }
 }
 
@@ -120,12 +120,25 @@ int ConditionSearch::PlaceFor(const BoundExperience& bound, int object) const {
   return world_.PlaceOf(change_.symbol, objects);
 }
 
-bool ConditionSearch::Holds(const rules::Literal& literal,
-                            const Example& example) const {
-  const BoundExperience& bound = experiences_[example.experience];
-  std::vector<int> binding = bound.binding;
-  binding.push_back(example.object);
-  return rules::Holds(literal, binding, bound.experience->before, world_);
+/// The examples before which the literal holds.
+rules::BitSet ConditionSearch::ExamplesWith(
+    const rules::Literal& literal) const {
+  const bool is_true = literal.comparison == rules::Comparison::kTrue;
+  rules::BitSet holding(size());
+  std::vector<int> binding;
+  for (size_t i = 0; i < examples_.size(); ++i) {
+    const auto& [e, object, is_positive] = examples_[i];
+    if (i == 0 || examples_[i - 1].experience != e) {
+      binding = experiences_[e].binding;
+      binding.push_back(object);
+    }
+    binding.back() = object;
+    if (experiences_[e].before.Has(atoms_.IndexOf(literal, binding)) ==
+        is_true) {
+      holding.Add(static_cast<int>(i));
+    }
+  }
+  return holding;
 }
 
 rules::BitSet ConditionSearch::CoveredBy(const Condition& condition) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "common/experiences/quantified_atoms.h"
 #include "common/experiences/variable_types.h"
 #include "common/rules/experience.h"
 #include "common/rules/learning/bit_set.h"
@@ -12,10 +13,12 @@
 
 namespace cell {
 
-/// An experience and the objects of a rule's variables in it.
+/// An experience, the objects of a rule's variables in it, and the atoms that
+/// were true before it.
 struct BoundExperience {
   const rules::Experience* experience;
   std::vector<int> binding;
+  rules::BitSet before;
 };
 
 /// Finds the conditions under which an action changes one atom of any object.
@@ -41,7 +44,7 @@ class ConditionSearch {
                   const rules::Literal& change,
                   const std::vector<rules::Literal>& candidates,
                   std::span<const int> landmarks, const VariableTypes& types,
-                  const rules::World& world);
+                  const QuantifiedAtoms& atoms, const rules::World& world);
 
   /// Each is a conjunction; the change happens where one of them holds.
   std::vector<std::vector<rules::Literal>> Run();
@@ -67,7 +70,7 @@ class ConditionSearch {
   std::set<int> TypesOfPositive() const;
   std::vector<Condition> FindConditions() const;
   int PlaceFor(const BoundExperience& bound, int object) const;
-  bool Holds(const rules::Literal& literal, const Example& example) const;
+  rules::BitSet ExamplesWith(const rules::Literal& literal) const;
   rules::BitSet CoveredBy(const Condition& condition) const;
   size_t NumExperiences(const rules::BitSet& examples) const;
   bool IsSupported(const rules::BitSet& positive) const {
@@ -90,6 +93,7 @@ class ConditionSearch {
   const std::vector<BoundExperience>& experiences_;
   const rules::Literal& change_;
   const VariableTypes& types_;
+  const QuantifiedAtoms& atoms_;
   const rules::World& world_;
   std::vector<Example> examples_;
   rules::BitSet positive_;

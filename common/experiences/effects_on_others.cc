@@ -1,13 +1,14 @@
 #include "common/experiences/effects_on_others.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/experiences/condition_search.h"
 #include "common/experiences/literal_space.h"
-#include "common/experiences/rule_lessons.h"
+#include "common/experiences/own_changes.h"
 
 namespace cell {
 namespace {
@@ -46,6 +47,23 @@ std::vector<rules::Literal> CandidatesFor(const rules::Rule& rule,
   return of_variable;
 }
 
+using Change = std::pair<int, bool>;  // symbol of an atom, its truth after it
+
+/// Changes that are not OwnChanges().
+std::set<Change> ChangesOfOthers(std::span<const BoundExperience> experiences,
+                                 const RuleWorld& world) {
+  std::set<Change> changes;
+  for (const BoundExperience& bound : experiences) {
+    const rules::WorldState& after = bound.experience->after;
+    ForEachDifference(OwnChanges(*bound.experience, world).after, after,
+                      *world.world(), [&](int symbol, int place) {
+                        changes.emplace(symbol,
+                                        rules::World::Get(after, place));
+                      });
+  }
+  return changes;
+}
+
 /// All atoms with the variable once and arguments else, true and false.
 std::vector<rules::Literal> PossibleChanges(const rules::Rule& rule,
                                             const RuleWorld& world) {
@@ -64,7 +82,8 @@ std::vector<rules::Literal> PossibleChanges(const rules::Rule& rule,
 
 std::vector<BoundExperience> ExplainedBy(
     const rules::Outcome& outcome, const rules::Rule& rule,
-    std::span<const rules::Experience> experiences, const RuleWorld& world) {
+    std::span<const rules::Experience> experiences,
+    const QuantifiedAtoms& atoms, const RuleWorld& world) {
   std::vector<BoundExperience> explained;
   for (const rules::Experience& e : experiences) {
     if (e.act.action != rule.action) continue;
@@ -74,7 +93,7 @@ std::vector<BoundExperience> ExplainedBy(
     const rules::Outcome own{outcome.probability, outcome.changes};
     if (rules::Apply(own, *binding, e.before, *world.world()) ==
         OwnChanges(e, world).after) {
-      explained.push_back({&e, *binding});
+      explained.push_back({&e, *binding, atoms.TrueIn(e.before)});
     }
   }
   return explained;
@@ -85,16 +104,21 @@ std::vector<BoundExperience> ExplainedBy(
 void AddEffectsOnOthers(std::span<const rules::Experience> experiences,
                         std::span<const int> landmarks, const RuleWorld& world,
                         rules::Rule* rule) {
+  const QuantifiedAtoms atoms(world.world());
   const std::string variable = FreeVariableName(*rule);
   const VariableTypes types(world, rule->num_variables());
   const auto candidates =
       CandidatesFor(*rule, landmarks, types, *world.world());
   for (rules::Outcome& outcome : rule->outcomes) {
     if (outcome.changes.empty()) continue;
-    const auto explained = ExplainedBy(outcome, *rule, experiences, world);
+    const auto explained =
+        ExplainedBy(outcome, *rule, experiences, atoms, world);
+    const std::set<Change> changes = ChangesOfOthers(explained, world);
     for (const rules::Literal& change : PossibleChanges(*rule, world)) {
+      const bool is_true = change.comparison == rules::Comparison::kTrue;
+      if (!changes.contains({change.symbol, is_true})) continue;
       ConditionSearch search(explained, change, candidates, landmarks, types,
-                             *world.world());
+                             atoms, *world.world());
       for (auto& where : search.Run()) {
         outcome.each.push_back({variable, std::move(where), change});
       }

@@ -37,6 +37,12 @@ std::vector<rules::Term> ArgumentTerms(const rules::Rule& rule) {
   return terms;
 }
 
+bool NamesVariable(const rules::Literal& literal) {
+  return std::ranges::any_of(literal.terms, [](const rules::Term& term) {
+    return term.kind == rules::Term::Kind::kVariable;
+  });
+}
+
 bool NamesNothing(const rules::Literal& literal) {
   return std::ranges::all_of(literal.terms, [](const rules::Term& term) {
     return term.kind == rules::Term::Kind::kAny;

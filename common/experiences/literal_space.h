@@ -16,6 +16,9 @@ void ForEachLiteral(const std::vector<rules::Term>& terms,
 /// The arguments of the rule's action as terms.
 std::vector<rules::Term> ArgumentTerms(const rules::Rule& rule);
 
+/// True if one of its terms is a variable.
+bool NamesVariable(const rules::Literal& literal);
+
 /// True if all terms are `_`.
 bool NamesNothing(const rules::Literal& literal);
 

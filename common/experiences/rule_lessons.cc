@@ -1,132 +1,42 @@
 #include "common/experiences/rule_lessons.h"
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <optional>
 #include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "common/experiences/effects_on_others.h"
-#include "common/experiences/literal_space.h"
+#include "common/experiences/own_changes.h"
 #include "common/rules/learning/learner.h"
 
 namespace cell {
 namespace {
 
-using rules::Comparison;
 using rules::Experience;
 
-/// One in so many is taken for sensed wrongly.
-constexpr std::ptrdiff_t kSuccessesPerException = 20;
 /// Of an action with so many experiences, one or two alone make no rule.
 constexpr int kManyExperiences = 40;
 constexpr int kFewExperiences = 2;
 
-std::vector<rules::Term> TermsOf(const rules::Rule& rule,
-                                 const rules::World& world) {
-  std::vector<rules::Term> terms = ArgumentTerms(rule);
-  for (int i = 0; i < world.num_constants(); ++i) {
-    terms.push_back({rules::Term::Kind::kObject, i});
-  }
-  terms.push_back({rules::Term::Kind::kAny, 0});
-  return terms;
-}
-
-/// True if `a` holds wherever `b` does, by its words: "not On(X, _)" says more
-/// than "not On(X, a)", and "On(X, a)" more than "On(X, _)".
-bool Follows(const rules::Literal& a, const rules::Literal& b) {
-  if (a == b || a.symbol != b.symbol || a.comparison != b.comparison) {
-    return false;
-  }
-  const rules::Literal& general = a.comparison == Comparison::kTrue ? a : b;
-  const rules::Literal& special = a.comparison == Comparison::kTrue ? b : a;
-  for (size_t i = 0; i < a.terms.size(); ++i) {
-    if (general.terms[i] != special.terms[i] &&
-        general.terms[i].kind != rules::Term::Kind::kAny) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool NamesAnArgument(const rules::Literal& literal) {
-  return std::ranges::any_of(literal.terms, [](const rules::Term& term) {
-    return term.kind == rules::Term::Kind::kVariable;
-  });
-}
-
-/// All objects that the types of the rule's action allow.
-std::vector<std::vector<int>> BindingsOf(const rules::Rule& rule,
-                                         const rules::WorldState& state,
-                                         const rules::World& world) {
-  std::vector<std::vector<int>> bindings;
-  for (const rules::GroundAct& act : rules::GroundActs(world, state)) {
-    if (act.action == rule.action) bindings.push_back(act.arguments);
-  }
-  return bindings;
-}
-
-/// True if the literal says of one argument that a predicate is true, which has
-/// been both true and false of some object: what was never seen to change of an
-/// action's own objects may change nevertheless, as it does of others.
-bool ChangesOfOthers(const rules::Literal& literal,
-                     std::span<const Experience> experiences,
-                     const rules::World& world) {
-  if (literal.comparison != Comparison::kTrue || literal.terms.size() != 1 ||
-      !NamesAnArgument(literal)) {
-    return false;
-  }
-  const int first = world.first(literal.symbol);
-  for (int i = 0; i < world.num_places(literal.symbol); ++i) {
-    bool is_ever_true = false, is_ever_false = false;
-    for (const Experience& e : experiences) {
-      for (const auto* state : {&e.before, &e.after}) {
-        const bool is_true = rules::World::Get(*state, first + i);
-        is_ever_true |= is_true;
-        is_ever_false |= !is_true;
-      }
-    }
-    if (is_ever_true && is_ever_false) return true;
-  }
-  return false;
-}
-
-/// True if the literal does not hold before some experience, for some objects
-/// of the action, or ChangesOfOthers().
-bool IsTelling(const rules::Literal& literal,
-               const std::vector<std::vector<int>>& bindings,
-               std::span<const Experience> experiences,
-               const rules::World& world) {
-  if (ChangesOfOthers(literal, experiences, world)) return true;
-  return std::ranges::any_of(experiences, [&](const Experience& e) {
-    return std::ranges::any_of(bindings, [&](const auto& binding) {
-      return !rules::Holds(literal, binding, e.before, world) ||
-             !rules::Holds(literal, binding, e.after, world);
-    });
-  });
-}
-
-/// Without rules of few experiences among many of the action.
-void DropRare(std::vector<int>* counts, rules::NdrRules* rules) {
-  std::map<int, int> of_action;
-  for (size_t i = 0; i < counts->size(); ++i) {
-    of_action[rules->rules[i].action] += (*counts)[i];
-  }
+/// Without rules of few experiences among many of the action, whose rules these
+/// are.
+void DropRare(std::vector<int>* counts, std::vector<rules::Rule>* rules) {
+  int num_experiences = 0;
+  for (const int count : *counts) num_experiences += count;
+  if (num_experiences < kManyExperiences) return;
   for (size_t i = counts->size(); i-- > 0;) {
-    if ((*counts)[i] > kFewExperiences ||
-        of_action[rules->rules[i].action] < kManyExperiences) {
-      continue;
-    }
+    if ((*counts)[i] > kFewExperiences) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
-    rules->rules.erase(rules->rules.begin() + at);
+    rules->erase(rules->begin() + at);
     counts->erase(counts->begin() + at);
   }
 }
 
-void MakeUnsure(const std::vector<int>& counts, rules::NdrRules* rules) {
-  for (size_t i = 0; i < rules->rules.size(); ++i) {
-    rules::Rule& rule = rules->rules[i];
+void MakeUnsure(const std::vector<int>& counts,
+                std::vector<rules::Rule>* rules) {
+  for (size_t i = 0; i < rules->size(); ++i) {
+    rules::Rule& rule = (*rules)[i];
     const double share = counts[i] / (counts[i] + 1.0);
     double sum = 0;
     for (rules::Outcome& outcome : rule.outcomes) {
@@ -137,100 +47,7 @@ void MakeUnsure(const std::vector<int>& counts, rules::NdrRules* rules) {
   }
 }
 
-/// Those there are, and the reversed ones of actions that were never done.
-std::vector<Experience> WithReversed(std::span<const Experience> experiences,
-                                     const RuleWorld& world) {
-  std::vector<Experience> all(experiences.begin(), experiences.end());
-  std::set<int> known;
-  for (const Experience& e : experiences) known.insert(e.act.action);
-  for (const Action& action : world.actions()) {
-    const int symbol = *world.world()->symbols().Find(action.name);
-    if (!action.undoes || known.contains(symbol)) continue;
-    const std::string& undone =
-        world.actions()[static_cast<size_t>(*action.undoes)].name;
-    for (const Experience& e : experiences) {
-      if (world.world()->symbols()[e.act.action].name == undone) {
-        all.push_back(Reversed(e, symbol));
-      }
-    }
-  }
-  return all;
-}
-
 }  // namespace
-
-rules::Experience OwnChanges(const rules::Experience& experience,
-                             const RuleWorld& world) {
-  const rules::World& w = *world.world();
-  Experience own = experience;
-  const auto is_own = [&](int object) {
-    return std::ranges::count(experience.act.arguments, object) > 0;
-  };
-  for (size_t s = 0; s < w.symbols().all().size(); ++s) {
-    const int symbol = static_cast<int>(s);
-    if (w.symbols()[symbol].kind != rules::Symbol::Kind::kPrimitive) continue;
-    for (int i = 0; i < w.num_places(symbol); ++i) {
-      const int place = w.first(symbol) + i;
-      const bool before = rules::World::Get(experience.before, place);
-      if (before != rules::World::Get(experience.after, place) &&
-          !std::ranges::all_of(w.ObjectsAt(symbol, place), is_own)) {
-        rules::World::Set(&own.after, place, before);
-      }
-    }
-  }
-  return own;
-}
-
-rules::Experience Reversed(const rules::Experience& experience, int action) {
-  return {
-      experience.after, {action, experience.act.arguments}, experience.before};
-}
-
-void Specialize(std::span<const rules::Experience> experiences,
-                std::span<const int> landmarks, const rules::World& world,
-                rules::Rule* rule, int num_for_others) {
-  std::vector<const Experience*> successes;
-  for (const Experience& e : experiences) {
-    if (e.act.action == rule->action && e.before != e.after &&
-        rules::Bind(*rule, e.act.arguments, e.before, world)) {
-      successes.push_back(&e);
-    }
-  }
-  if (successes.empty()) return;
-  const auto bindings = BindingsOf(*rule, successes.front()->before, world);
-  std::vector<rules::Literal> shared;
-  ForEachLiteral(
-      TermsOf(*rule, world), world, [&](const rules::Literal& literal) {
-        if (!NamesAnArgument(literal) &&
-            std::ssize(successes) < num_for_others) {
-          return;
-        }
-        if (NamesNothing(literal) &&
-            std::ranges::count(landmarks, literal.symbol) == 0) {
-          return;
-        }
-        const auto num_exceptions =
-            std::ranges::count_if(successes, [&](const Experience* e) {
-              return !rules::Holds(literal, e->act.arguments, e->before, world);
-            });
-        const bool is_shared =
-            num_exceptions * kSuccessesPerException <= std::ssize(successes);
-        if (is_shared && IsTelling(literal, bindings, experiences, world)) {
-          shared.push_back(literal);
-        }
-      });
-  for (const rules::Literal& literal : rule->context) {
-    if (std::ranges::count(shared, literal) == 0) shared.push_back(literal);
-  }
-  rule->context.clear();
-  for (const rules::Literal& literal : shared) {
-    if (std::ranges::none_of(shared, [&](const rules::Literal& other) {
-          return Follows(literal, other);
-        })) {
-      rule->context.push_back(literal);
-    }
-  }
-}
 
 std::vector<int> GoalPredicates(std::span<const Goal> goals) {
   std::set<int> predicates;
@@ -242,29 +59,185 @@ std::vector<int> GoalPredicates(std::span<const Goal> goals) {
   return {predicates.begin(), predicates.end()};
 }
 
-rules::NdrRules LearnRules(std::span<const rules::Experience> experiences,
-                           std::span<const int> goal_predicates,
-                           const RuleWorld& world, int num_for_others) {
-  const std::vector<Experience> all = WithReversed(experiences, world);
-  std::vector<Experience> own;
-  for (const Experience& e : all) own.push_back(OwnChanges(e, world));
-  rules::Learner learner(world.world(), rules::LearnerOptions());
-  for (const Experience& e : own) learner.Add(e);
-  learner.Learn();
-  rules::NdrRules rules = learner.Rules();
-  std::vector<int> landmarks;
+RuleLessons::RuleLessons(std::shared_ptr<const RuleWorld> world,
+                         std::span<const int> goal_predicates,
+                         int num_for_others)
+    : world_(std::move(world)),
+      goal_predicates_(goal_predicates.begin(), goal_predicates.end()),
+      num_for_others_(num_for_others),
+      specialization_(world_->world(),
+                      ParamsOf(goal_predicates, num_for_others)) {
+  for (const int action : this->world().symbols().Actions()) lessons_[action];
+}
+
+Specialization::Params RuleLessons::ParamsOf(
+    std::span<const int> goal_predicates, int num_for_others) const {
+  Specialization::Params params{{}, num_for_others};
+  const auto& predicates = world_->vocabulary().predicates();
   for (const int predicate : goal_predicates) {
-    landmarks.push_back(*world.world()->symbols().Find(
-        world.vocabulary().predicates()[static_cast<size_t>(predicate)].name));
+    params.landmarks.push_back(*world().symbols().Find(
+        predicates[static_cast<size_t>(predicate)].name));
   }
+  return params;
+}
+
+void RuleLessons::Add(int64_t id, const Experience& experience) {
+  const int action = experience.act.action;
+  if (!action_of_id_.emplace(id, action).second) {
+    throw std::invalid_argument("the experience " + std::to_string(id) +
+                                " is there already");
+  }
+  lessons_.at(action).done.emplace(id, experience);
+  Open(action);
+}
+
+void RuleLessons::Remove(int64_t id) {
+  const auto found = action_of_id_.find(id);
+  if (found == action_of_id_.end()) return;
+  const int action = found->second;
+  action_of_id_.erase(found);
+  lessons_.at(action).done.erase(id);
+  Open(action);
+}
+
+void RuleLessons::SetWorld(std::shared_ptr<const RuleWorld> world) {
+  const auto& before = this->world().symbols().all();
+  const auto& after = world->world()->symbols().all();
+  bool is_same = before.size() <= after.size() &&
+                 this->world().objects() == world->world()->objects();
+  for (size_t i = 0; is_same && i < before.size(); ++i) {
+    is_same = before[i].name == after[i].name &&
+              before[i].arity == after[i].arity &&
+              before[i].kind == after[i].kind;
+  }
+  if (!is_same) {
+    throw std::invalid_argument("the symbols do not keep their places");
+  }
+  std::map<int, std::optional<int>> undone;
+  for (const auto& [action, lesson] : lessons_) {
+    undone[action] = UndoneBy(action);
+  }
+  world_ = std::move(world);
+  specialization_ = Specialization(world_->world(),
+                                   ParamsOf(goal_predicates_, num_for_others_));
+  bindings_.clear();
+  for (const int action : this->world().symbols().Actions()) {
+    const bool is_new = !undone.contains(action);
+    Lesson& lesson = lessons_[action];
+    if (is_new || undone.at(action) != UndoneBy(action)) lesson.is_open = true;
+  }
+}
+
+std::optional<int> RuleLessons::UndoneBy(int action) const {
+  const auto& actions = world_->actions();
+  const auto undone =
+      actions[static_cast<size_t>(world_->ActionOf(action))].undoes;
+  if (!undone) return std::nullopt;
+  return world().symbols().Find(actions[static_cast<size_t>(*undone)].name);
+}
+
+/// It has to be learned again, and what is learned from its reversed
+/// experiences.
+void RuleLessons::Open(int action) {
+  for (auto& [other, lesson] : lessons_) {
+    if (other == action || (lesson.done.empty() && UndoneBy(other) == action)) {
+      lesson.is_open = true;
+    }
+  }
+}
+
+RuleLessons::Experiences RuleLessons::ExperiencesOf(int action) const {
+  Experiences experiences;
+  const auto& done = lessons_.at(action).done;
+  for (const auto& [id, experience] : done) experiences.push_back(experience);
+  const std::optional<int> undone = UndoneBy(action);
+  if (!experiences.empty() || !undone) return experiences;
+  for (const auto& [id, experience] : lessons_.at(*undone).done) {
+    experiences.push_back(Reversed(experience, action));
+  }
+  return experiences;
+}
+
+RuleLessons::Experiences RuleLessons::OwnOf(
+    const Experiences& experiences) const {
+  Experiences own;
+  for (const Experience& e : experiences) {
+    own.push_back(OwnChanges(e, *world_));
+  }
+  return own;
+}
+
+/// What follows from the action's own experiences only.
+void RuleLessons::LearnAlone(int action, Lesson* lesson) const {
+  const Experiences own = OwnOf(ExperiencesOf(action));
+  const QuantifiedAtoms& atoms = specialization_.atoms();
+  lesson->seen.emplace(atoms.size());
+  rules::Learner learner(world_->world(), rules::LearnerOptions());
+  for (const Experience& e : own) {
+    learner.Add(e);
+    lesson->seen->Add(atoms.TrueIn(e.before));
+    lesson->seen->Add(atoms.TrueIn(e.after));
+  }
+  learner.Learn();
+  lesson->learned = learner.Rules().rules;
   std::vector<int> counts = learner.RuleCounts();
-  DropRare(&counts, &rules);
-  MakeUnsure(counts, &rules);
-  for (rules::Rule& rule : rules.rules) {
-    Specialize(own, landmarks, *world.world(), &rule, num_for_others);
-    AddEffectsOnOthers(all, landmarks, world, &rule);
+  DropRare(&counts, &lesson->learned);
+  MakeUnsure(counts, &lesson->learned);
+}
+
+/// @param seen  in the experiences of all actions
+void RuleLessons::Finish(int action, const SeenAtoms& seen,
+                         Lesson* lesson) const {
+  const Experiences all = ExperiencesOf(action);
+  const Experiences own = OwnOf(all);
+  std::vector<rules::Rule> specialized = lesson->learned;
+  for (rules::Rule& rule : specialized) {
+    specialization_.Apply(own, bindings_.at(action), seen, &rule);
+  }
+  if (!lesson->is_open && specialized == lesson->specialized) return;
+  lesson->specialized = specialized;
+  lesson->rules = std::move(specialized);
+  for (rules::Rule& rule : lesson->rules) {
+    AddEffectsOnOthers(all, specialization_.landmarks(), *world_, &rule);
+  }
+}
+
+/// Types are the same in all states, and so is what they allow.
+void RuleLessons::FindBindings(const rules::WorldState& state) {
+  for (rules::GroundAct& act : rules::GroundActs(world(), state)) {
+    bindings_[act.action].push_back(std::move(act.arguments));
+  }
+}
+
+rules::NdrRules RuleLessons::Learn() {
+  SeenAtoms seen(specialization_.atoms().size());
+  for (auto& [action, lesson] : lessons_) {
+    if (bindings_.empty() && !lesson.done.empty()) {
+      FindBindings(lesson.done.begin()->second.before);
+    }
+    if (lesson.is_open) LearnAlone(action, &lesson);
+    if (lesson.seen) seen.Add(*lesson.seen);
+  }
+  const bool was_seen = seen_ == seen;
+  seen_ = seen;
+  rules::NdrRules rules{world_->world()->shared_symbols(), {}};
+  for (auto& [action, lesson] : lessons_) {
+    if (lesson.is_open || !was_seen) Finish(action, seen, &lesson);
+    lesson.is_open = false;
+    rules.rules.insert(rules.rules.end(), lesson.rules.begin(),
+                       lesson.rules.end());
   }
   return rules;
+}
+
+rules::NdrRules LearnRules(std::span<const Experience> experiences,
+                           std::span<const int> goal_predicates,
+                           const RuleWorld& world, int num_for_others) {
+  RuleLessons lessons(std::make_shared<const RuleWorld>(world), goal_predicates,
+                      num_for_others);
+  int64_t id = 0;
+  for (const Experience& e : experiences) lessons.Add(id++, e);
+  return lessons.Learn();
 }
 
 }  // namespace cell

@@ -29,6 +29,26 @@ int ObjectOf(const Term& term, std::span<const int> binding) {
              : binding[static_cast<size_t>(term.index)];
 }
 
+bool AreAllPresent(const WorldState& state) {
+  for (const uint8_t is_present : state.is_present) {
+    if (is_present == 0) return false;
+  }
+  return true;
+}
+
+/// True if one of the `number` atoms from `first` on is.
+bool IsAnyTrue(const WorldState& state, int first, int number) {
+  const int end = first + number;
+  for (int place = first; place < end;) {
+    const int in_word = std::min(64 - place % 64, end - place);
+    uint64_t word = state.bits[static_cast<size_t>(place) / 64] >> (place % 64);
+    if (in_word < 64) word &= (uint64_t{1} << in_word) - 1;
+    if (word != 0) return true;
+    place += in_word;
+  }
+  return false;
+}
+
 /// True if the atom is true for some objects in place of each `_`.
 bool IsSomeTrue(const Literal& literal, std::span<const int> binding,
                 const WorldState& state, const World& world, size_t next,
@@ -41,6 +61,9 @@ bool IsSomeTrue(const Literal& literal, std::span<const int> binding,
   if (term.kind != Term::Kind::kAny) {
     return IsSomeTrue(literal, binding, state, world, next + 1,
                       offset * n + ObjectOf(term, binding));
+  }
+  if (next + 1 == literal.terms.size() && AreAllPresent(state)) {
+    return IsAnyTrue(state, world.first(literal.symbol) + offset * n, n);
   }
   for (int object = 0; object < n; ++object) {
     if (!state.is_present[static_cast<size_t>(object)]) continue;

@@ -25,7 +25,7 @@ struct Episode {
 ///     any --episode without known agent and goal--> Idle
 ///
 /// Watch outlasts the end of its episode, since the last actions are recognised
-/// later. To teach will be a state beside these.
+/// later. Asking to be shown what nobody has shown yet is a part of Execute.
 class DecisionMaker {
  public:
   struct Params {

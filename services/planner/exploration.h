@@ -20,6 +20,9 @@ struct Exploration {
   /// An operator has to let an arm do what it has learned for the first time.
   bool needs_confirmation = true;
   std::set<std::string> confirmed = {};  ///< actions
+  /// Actions whose rules came with the task: arms do them like any other,
+  /// whatever has been learned of them since.
+  std::set<std::string> shipped = {};
   std::shared_ptr<const std::vector<TaskExperience>> experiences;
 };
 

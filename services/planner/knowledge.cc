@@ -3,49 +3,58 @@
 #include <utility>
 
 #include "common/actions/action_model_reader.h"
-#include "common/experiences/learned_actions.h"
 #include "common/task/task_actions.h"
 
 namespace cell::planner {
 
-Knowledge::Knowledge(Domain domain, bool is_learning)
+Knowledge::Knowledge(Domain domain, bool is_learning,
+                     std::span<const TaskExperience> shipped)
     : domain_(std::move(domain)),
-      is_learning_(is_learning),
-      experiences_(std::make_shared<const Experiences>()) {}
+      experiences_(std::make_shared<const Experiences>()) {
+  if (!is_learning) return;
+  learned_.emplace(domain_.actions(), domain_.goals(),
+                   std::make_shared<const Vocabulary>(domain_.vocabulary()));
+  // The library's ids are positive.
+  int64_t id = -std::ssize(shipped);
+  for (const TaskExperience& experience : shipped) {
+    has_changed_ |= learned_->Add(id++, experience);
+  }
+  if (has_changed_) WithLearnedRules();
+}
 
 void Knowledge::Put(const ActionRecord& record) {
   if (!domain_.Put(ReadAction(record, domain_))) return;
+  if (learned_) learned_->SetActions(domain_.actions());
   source_ = record.name;
   has_changed_ = true;
 }
 
 void Knowledge::Add(int64_t id, const TaskExperience& experience) {
-  if (!is_learning_ || !by_id_.emplace(id, experience).second) return;
+  if (!learned_ || !learned_->Add(id, experience)) return;
   source_ = experience.action;
   has_changed_ = true;
 }
 
 void Knowledge::Remove(int64_t id) {
-  if (by_id_.erase(id) > 0) has_changed_ = true;
+  if (learned_ && learned_->Remove(id)) has_changed_ = true;
 }
 
 std::shared_ptr<const RuleSet> Knowledge::TakeChange(int64_t version) {
   if (!std::exchange(has_changed_, false)) return nullptr;
-  if (by_id_.empty()) {
-    experiences_ = std::make_shared<const Experiences>();
-    return RuleSet::FromDomain(domain_, source_, version);
-  }
   Experiences all;
-  for (const auto& [id, experience] : by_id_) all.push_back(experience);
+  if (learned_) {
+    for (const auto& [id, experience] : learned_->experiences()) {
+      all.push_back(experience);
+    }
+  }
   experiences_ = std::make_shared<const Experiences>(std::move(all));
-  return RuleSet::FromDomain(WithLearnedRules(), source_, version);
+  return RuleSet::FromDomain(
+      experiences_->empty() ? domain_ : WithLearnedRules(), source_, version);
 }
 
 Domain Knowledge::WithLearnedRules() {
   Domain domain = domain_;
-  const auto actions =
-      LearnActions(*experiences_, domain.actions(), domain.goals(),
-                   std::make_shared<const Vocabulary>(domain.vocabulary()));
+  const auto actions = learned_->Learn();
   why_not_.reset();
   if (!actions) {
     why_not_ = actions.reason();

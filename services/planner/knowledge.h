@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/actions/action_record.h"
+#include "common/experiences/learned_actions.h"
 #include "common/experiences/task_experience.h"
 #include "common/relational/domain.h"
 #include "common/relational/rule_set.h"
@@ -15,13 +16,18 @@
 namespace cell::planner {
 
 /// What the planner knows of actions: those of the task and of the library, and
-/// if it learns, the rules that experiences give them (section V-C).
+/// if it learns, the rules that experiences give them (section V-C): those that
+/// the task ships with, and those that the library keeps, count alike.
 class Knowledge {
  public:
-  Knowledge(Domain domain, bool is_learning);
+  /// @param shipped  experiences that the domain's rules were learned from;
+  /// only those of a cell that learns are looked at. What they teach is learned
+  /// here, not with the first change.
+  Knowledge(Domain domain, bool is_learning,
+            std::span<const TaskExperience> shipped = {});
 
   const Domain& domain() const { return domain_; }
-  bool is_learning() const { return is_learning_; }
+  bool is_learning() const { return learned_.has_value(); }
 
   /// The library's record of an action. @throws ConfigError for names that the
   /// task does not have.
@@ -47,9 +53,8 @@ class Knowledge {
  private:
   Domain WithLearnedRules();
 
-  Domain domain_;  // with the actions of the library
-  bool is_learning_;
-  std::map<int64_t, TaskExperience> by_id_;
+  Domain domain_;                          // with the actions of the library
+  std::optional<LearnedActions> learned_;  // if it learns
   std::shared_ptr<const Experiences> experiences_;
   std::string source_ = "domain.yaml";  // of the last change
   bool has_changed_ = false;

@@ -35,6 +35,7 @@ std::string WhyNotLearned(const std::vector<Literal>& unlearned,
 PlanSearch::PlanSearch(Problem problem, const Params& params)
     : problem_(std::move(problem)),
       params_(params),
+      goal_(problem_.goal.literals, {}, problem_.rules->vocabulary()),
       space_(problem_.rules, problem_.agent, problem_.blocked) {}
 
 SolverMaker PlanSearch::Maker(const Params& params) {
@@ -104,14 +105,10 @@ std::optional<int> PlanSearch::Enter(const State& state) {
     if (!entered) return std::nullopt;
   }
   for (int s = static_cast<int>(is_goal_.size()); s < space_.size(); ++s) {
-    is_goal_.push_back(IsReached(space_.state(s)));
+    is_goal_.push_back(goal_.MayHold(space_.state(s)));
   }
   values_.Extend(space_, is_goal_);
   return entered;
-}
-
-bool PlanSearch::IsReached(const State& state) const {
-  return MayHold(problem_.goal.literals, {}, state, vocabulary());
 }
 
 std::vector<PlanStep> PlanSearch::LikelyCourse(int state) const {
@@ -172,11 +169,9 @@ std::vector<Alternative> PlanSearch::Alternatives(const State& state) {
 }
 
 Excuse PlanSearch::WhyNoPlan(const State& state) {
-  // A space of its own, since the questions of an excuse may fill the other.
-  StateSpace space(problem_.rules, problem_.agent, problem_.blocked);
-  const std::optional<int> s = space.Enter(state, params_.max_states);
+  const std::optional<int> s = Enter(state);
   if (!s) return {"too many states to explain", {}};
-  return ExplainNoPlan(space, *s, problem_.goal,
+  return ExplainNoPlan(problem_, space_, *s,
                        [this](const State& other) { return Solve(other); });
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/relational/bound_condition.h"
 #include "services/planner/excuse.h"
 #include "services/planner/solver.h"
 #include "services/planner/state_space.h"
@@ -32,7 +33,6 @@ class PlanSearch final : public Solver {
   Plan Solve(const State& state);
   /// Nothing if there are too many states.
   std::optional<int> Enter(const State& state);
-  bool IsReached(const State& state) const;
   std::vector<PlanStep> LikelyCourse(int state) const;
   /// Best first.
   std::vector<Alternative> Ranked(int state) const;
@@ -44,6 +44,7 @@ class PlanSearch final : public Solver {
 
   Problem problem_;
   Params params_;
+  BoundCondition goal_;
   StateSpace space_;
   ValueIteration values_;
   std::vector<bool> is_goal_;  // of each state of the space

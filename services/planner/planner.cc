@@ -2,11 +2,13 @@
 
 #include <cctype>
 #include <utility>
+#include <vector>
 
 #include "cell/library_request_t.hpp"
 #include "cell/sense_request_t.hpp"
 #include "common/actions/action_model_reader.h"
 #include "common/actions/record_messages.h"
+#include "common/task/shipped_experiences.h"
 #include "common/task/task.h"
 #include "services/planner/execution_messages.h"
 #include "services/planner/planner_config.h"
@@ -244,7 +246,11 @@ std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
   for (const auto& hand : task.layout.hands) {
     hands_of_people.insert(hand.name);
   }
-  Knowledge knowledge(task.domain, decision_maker->is_learning());
+  std::vector<TaskExperience> shipped;
+  if (decision_maker->is_learning()) {
+    shipped = ReadShippedExperiences(deployment, task.domain);
+  }
+  Knowledge knowledge(task.domain, decision_maker->is_learning(), shipped);
   auto planner = std::make_unique<Planner>(bus, std::move(knowledge),
                                            std::move(hands_of_people),
                                            std::move(decision_maker));

@@ -54,9 +54,14 @@ ExecutionParams LoadExecution(const Config& config, const RuleSet& rules) {
   return params;
 }
 
-Exploration LoadExploration(const Config& config) {
+Exploration LoadExploration(const Config& config, const RuleSet& rules) {
+  std::set<std::string> shipped;
+  for (const Action& action : rules.actions()) {
+    if (!action.rules.empty()) shipped.insert(action.name);
+  }
   return {.known_count = config.Integer("known_count", 1, 1000),
           .needs_confirmation = config.Get<bool>("confirmation"),
+          .shipped = std::move(shipped),
           .experiences = std::make_shared<const std::vector<TaskExperience>>()};
 }
 
@@ -83,7 +88,8 @@ std::unique_ptr<DecisionMaker> LoadDecisionMaker(const Domain& domain,
   params.watch = LoadWatch(config);
   params.watch.monitor.requests = domain.requests();
   params.execution = LoadExecution(config["execution"], *rules);
-  const Exploration exploration = LoadExploration(config["exploration"]);
+  const Exploration exploration =
+      LoadExploration(config["exploration"], *rules);
   if (config.Get<bool>("learning")) params.execution.exploration = exploration;
   params.execution.requests = domain.requests();
   config.Finish();

@@ -5,21 +5,10 @@
 #include <utility>
 
 #include "common/relational/ground_action.h"
+#include "common/relational/literal_properties.h"
 
 namespace cell::planner {
 namespace {
-
-bool IsReported(const Literal& literal, const Vocabulary& vocabulary) {
-  return !literal.is_static &&
-         vocabulary.predicates()[static_cast<size_t>(literal.relation)]
-             .report.has_value();
-}
-
-bool NamesAnArgument(const Literal& literal) {
-  return std::ranges::any_of(literal.terms, [](const Term& term) {
-    return term.kind == Term::Kind::kVariable;
-  });
-}
 
 /// Places in the rule's context of the conditions that fail, without those on
 /// what arms report.
@@ -146,7 +135,7 @@ std::vector<Dropped> DroppableIn(const RuleSet& rules, const State& state) {
                    other.literals == dropped.literals;
           });
       if (dropped.literals.empty() || is_known ||
-          std::ranges::any_of(dropped.literals, NamesAnArgument)) {
+          std::ranges::any_of(dropped.literals, NamesVariable)) {
         continue;
       }
       found.push_back(std::move(dropped));

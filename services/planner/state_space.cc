@@ -9,7 +9,14 @@ StateSpace::StateSpace(std::shared_ptr<const RuleSet> rules, Agent agent,
                        const std::set<GroundAction>& blocked)
     : rules_(std::move(rules)), agent_(agent) {
   for (const GroundAction& action : rules_->GroundActions(agent)) {
-    if (!blocked.contains(action)) actions_.push_back(action);
+    if (blocked.contains(action)) continue;
+    actions_.push_back(action);
+    std::vector<BoundRule>& bound = bound_rules_.emplace_back();
+    for (const NdrRule& rule : rules_->ActionOf(action).rules) {
+      if (!rule.IsFor(agent)) continue;
+      bound.emplace_back(rule, action.arguments, rules_->vocabulary());
+      if (!bound.back().is_possible()) bound.pop_back();
+    }
   }
 }
 
@@ -37,27 +44,27 @@ std::vector<StateSpace::Candidate> StateSpace::CandidatesIn(int state) {
   std::vector<Candidate> candidates;
   const bool has_unknown = states_[state].HasUnknown();
   for (size_t i = 0; i < actions_.size(); ++i) {
-    const auto applicable =
-        ApplicableRules(rules_->ActionOf(actions_[i]), actions_[i].arguments,
-                        states_[state], rules_->vocabulary(), agent_);
+    std::vector<const BoundRule*> covering;
+    for (const BoundRule& rule : bound_rules_[i]) {
+      if (rule.MayCover(states_[state])) covering.push_back(&rule);
+    }
     // Of several rules one may be right if something is unknown.
-    if (applicable.size() > 1 && !has_unknown) continue;
-    for (const ApplicableRule& rule : applicable) {
-      Candidate candidate = Try(static_cast<int>(i), rule, state);
+    if (covering.size() > 1 && !has_unknown) continue;
+    for (const BoundRule* rule : covering) {
+      Candidate candidate = Try(static_cast<int>(i), *rule, state);
       if (!candidate.moves.empty()) candidates.push_back(std::move(candidate));
     }
   }
   return candidates;
 }
 
-StateSpace::Candidate StateSpace::Try(int action, const ApplicableRule& rule,
+StateSpace::Candidate StateSpace::Try(int action, const BoundRule& rule,
                                       int state) {
-  const NdrRule& ndr = rules_->ActionOf(actions_[action]).rules[rule.rule];
-  Candidate candidate{action, ndr.noise, {}};
-  for (const Outcome& outcome : ndr.outcomes) {
+  Candidate candidate{action, rule.rule().noise, {}};
+  for (size_t i = 0; i < rule.rule().outcomes.size(); ++i) {
+    const Outcome& outcome = rule.rule().outcomes[i];
     if (outcome.probability == 0) continue;
-    const int after = IndexOf(
-        Apply(outcome, rule.binding, states_[state], rules_->vocabulary()));
+    const int after = IndexOf(rule.After(i, states_[state]));
     if (after == state) {
       candidate.stay += outcome.probability;
       continue;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "common/relational/bound_rule.h"
 #include "common/relational/rule_set.h"
 
 namespace cell::planner {
@@ -55,11 +56,12 @@ class StateSpace {
 
   int IndexOf(const State& state);
   std::vector<Candidate> CandidatesIn(int state);
-  Candidate Try(int action, const ApplicableRule& cover, int state);
+  Candidate Try(int action, const BoundRule& rule, int state);
 
   std::shared_ptr<const RuleSet> rules_;
   Agent agent_;
   std::vector<GroundAction> actions_;
+  std::vector<std::vector<BoundRule>> bound_rules_;  // of each action
   std::vector<State> states_;
   std::vector<std::vector<Candidate>> candidates_;
   std::unordered_map<State, int, HashOfState> index_of_;  // never iterated

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "common/relational/literal_properties.h"
+
 namespace cell::planner {
 namespace {
 
@@ -17,33 +19,6 @@ std::vector<Variable> VariablesOf(const Action& action, const NdrRule& rule,
   return variables;
 }
 
-bool MayBeOneObject(const Term& a, std::span<const Variable> variables,
-                    const Term& ground, const Vocabulary& vocabulary) {
-  if (a.kind == Term::Kind::kAny || ground.kind != Term::Kind::kObject) {
-    return true;
-  }
-  if (a.kind == Term::Kind::kObject) return a.index == ground.index;
-  return vocabulary.IsOf(ground.index,
-                         variables[static_cast<size_t>(a.index)].type);
-}
-
-/// True if the rule's literal and one without variables may be the same.
-bool MayBeOne(const Literal& literal, std::span<const Variable> variables,
-              const Literal& ground, const Vocabulary& vocabulary) {
-  if (literal.is_static != ground.is_static ||
-      literal.relation != ground.relation ||
-      literal.is_negated != ground.is_negated) {
-    return false;
-  }
-  for (size_t i = 0; i < ground.terms.size(); ++i) {
-    if (!MayBeOneObject(literal.terms[i], variables, ground.terms[i],
-                        vocabulary)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool BringsAbout(const Action& action, const NdrRule& rule,
                  const Literal& literal, const Vocabulary& vocabulary) {
   return std::ranges::any_of(rule.outcomes, [&](const Outcome& outcome) {
@@ -51,7 +26,7 @@ bool BringsAbout(const Action& action, const NdrRule& rule,
            std::ranges::any_of(outcome.effects, [&](const Effect& effect) {
              const auto variables = VariablesOf(action, rule, effect.each);
              return std::ranges::any_of(effect.then, [&](const Literal& then) {
-               return MayBeOne(then, variables, literal, vocabulary);
+               return MayBe(then, variables, literal, vocabulary);
              });
            });
   });
@@ -82,7 +57,7 @@ bool Needs(const RuleOfAction& of, std::span<const Literal> literals,
   const auto variables = VariablesOf(*of.action, *of.rule);
   return std::ranges::any_of(of.rule->context, [&](const Literal& needed) {
     return std::ranges::any_of(literals, [&](const Literal& literal) {
-      return MayBeOne(needed, variables, literal, vocabulary);
+      return MayBe(needed, variables, literal, vocabulary);
     });
   });
 }

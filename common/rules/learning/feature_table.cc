@@ -77,8 +77,27 @@ int FeatureTable::Number(const Feature& feature) {
   return it->second;
 }
 
+/// Where the opposite literal is known and there is an object for each of its
+/// terms, this one is its complement.
+const BitSet* FeatureTable::OppositeBefore(const Feature& feature) const {
+  for (const int32_t term : feature.terms) {
+    if (term >= num_arguments_ || term == Feature::kSelf) return nullptr;
+  }
+  if (feature.comparison != Comparison::kFalse) return nullptr;
+  const auto it = number_of_.find(feature.Negated());
+  if (it == number_of_.end()) return nullptr;
+  const BitSet& before = literals_[static_cast<size_t>(it->second)].before;
+  return before.size() == size() ? &before : nullptr;
+}
+
 const BitSet& FeatureTable::Before(int number) {
   CachedLiteral& literal = literals_[static_cast<size_t>(number)];
+  if (literal.before.size() < size()) {
+    if (const BitSet* opposite = OppositeBefore(literal.feature)) {
+      literal.before = BitSet(size(), true);
+      literal.before -= *opposite;
+    }
+  }
   for (int e = literal.before.size(); e < size(); ++e) {
     literal.before.Resize(e + 1);
     if (Holds(literal.feature, e, -1, experience(e).before)) {

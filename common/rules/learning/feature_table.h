@@ -82,6 +82,7 @@ class FeatureTable {
     BitSet bound;
   };
 
+  const BitSet* OppositeBefore(const Feature& feature) const;
   bool Holds(const Feature& feature, int e, int self, const WorldState& state);
   CachedReference& ReferenceOf(int term) {
     return references_[static_cast<size_t>(term - num_arguments_)];

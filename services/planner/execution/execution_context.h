@@ -69,8 +69,10 @@ struct ExecutionContext {
 
   /// True of an action that was learned and that no arm has done yet.
   bool IsNew(const GroundAction& action) const {
-    return params.exploration && IsNewToArms(plan.rules().ActionOf(action),
-                                             *params.exploration->experiences);
+    const Action& lifted = plan.rules().ActionOf(action);
+    return params.exploration &&
+           !params.exploration->shipped.contains(lifted.name) &&
+           IsNewToArms(lifted, *params.exploration->experiences);
   }
   /// True of one that an operator has to let arms do.
   bool AwaitsConfirmation(const GroundAction& action) const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "common/experiences/experience_text.h"
+#include "common/experiences/own_changes.h"
 #include "common/experiences/rule_conversion.h"
 #include "common/rules/rule_text.h"
 #include "tests/unit/experiences/cranfield_rules.h"

@@ -1,0 +1,60 @@
+#include "common/task/shipped_experiences.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "common/config/config.h"
+#include "common/experiences/experience_text.h"
+#include "common/experiences/rule_world.h"
+#include "common/rules/rule_error.h"
+#include "common/task/learned_rules.h"
+
+namespace cell {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kFolder[] = "experiences";
+constexpr char kEnding[] = ".experiences";
+
+std::vector<fs::path> ExperienceFiles(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == kEnding) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+std::vector<TaskExperience> ReadShippedExperiences(const Deployment& deployment,
+                                                   const Domain& domain) try {
+  std::vector<TaskExperience> experiences;
+  const Config config = deployment.OfTask("domain.yaml");
+  if (!config.Has(kLearnedRulesKey)) return experiences;
+  const RuleWorld world(std::make_shared<const Vocabulary>(domain.vocabulary()),
+                        domain.actions());
+  for (const fs::path& path : ExperienceFiles(deployment.task_dir / kFolder)) {
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    const std::string name =
+        std::string(kFolder) + "/" + path.filename().string();
+    for (const auto& e : ReadExperiences(text.str(), name, world)) {
+      const GroundAction action = world.FromWorld(e.act);
+      experiences.push_back(
+          {domain.actions()[static_cast<size_t>(action.action)].name,
+           action.arguments, Agent::kPerson, world.FromWorld(e.before),
+           world.FromWorld(e.after)});
+    }
+  }
+  return experiences;
+} catch (const rules::RuleError& e) {
+  throw ConfigError(e.what());
+}
+
+}  // namespace cell
