@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "common/actions/action_models.h"
 #include "common/actions/action_record.h"
 #include "common/experiences/task_experience.h"
 #include "common/relational/domain.h"
 #include "common/relational/rule_set.h"
+#include "services/planner/stand_in_offer.h"
 
 namespace cell::planner {
 
@@ -22,6 +24,13 @@ class Knowledge {
 
   const Domain& domain() const { return domain_; }
   bool is_learning() const { return is_learning_; }
+
+  /// How actions show: those of the task, and from now on of the library. None
+  /// is known before.
+  void SetModels(ActionModels models);
+  const std::shared_ptr<const SecModels>& sec_models() const {
+    return sec_models_;
+  }
 
   /// The library's record of an action. @throws ConfigError for names that the
   /// task does not have.
@@ -48,6 +57,8 @@ class Knowledge {
   Domain WithLearnedRules();
 
   Domain domain_;  // with the actions of the library
+  std::optional<ActionModels> models_;
+  std::shared_ptr<const SecModels> sec_models_;
   bool is_learning_;
   std::map<int64_t, TaskExperience> by_id_;
   std::shared_ptr<const Experiences> experiences_;
