@@ -2,31 +2,60 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "common/geometry/pose.h"
+#include "common/scene/segment_name.h"
 
 namespace cell {
 namespace {
 
-std::optional<TouchGraph> GraphFromMessage(const key_frame_t& message,
-                                           const SceneObjects& scene_objects) {
-  const auto& names = scene_objects.names();
-  if (message.relations.size() != names.size() * (names.size() - 1) / 2) {
-    return std::nullopt;
+/// The scene's objects and the segments that the message names, sorted; nullopt
+/// if there are too many.
+std::optional<std::vector<std::string>> NamesIn(
+    const key_frame_t& message, const SceneObjects& scene_objects) {
+  std::set<std::string> segments;
+  for (const relation_t& r : message.relations) {
+    for (const std::string& name : {r.first, r.second}) {
+      if (IsSegmentName(name)) segments.insert(name);
+    }
+    if (segments.size() > kMaxSegments) return std::nullopt;
   }
-  TouchGraph graph;
+  std::vector<std::string> names = scene_objects.names();
+  names.insert(names.end(), segments.begin(), segments.end());
+  std::ranges::sort(names);
+  return names;
+}
+
+/// False unless it has all pairs in order.
+bool RelationsFromMessage(const key_frame_t& message,
+                          const SceneObjects& scene_objects, KeyFrame& frame) {
+  const auto names = NamesIn(message, scene_objects);
+  if (!names ||
+      message.relations.size() != names->size() * (names->size() - 1) / 2) {
+    return false;
+  }
   size_t next = 0;
-  for (size_t i = 0; i < names.size(); ++i) {
-    for (size_t j = i + 1; j < names.size(); ++j) {
+  for (size_t i = 0; i < names->size(); ++i) {
+    for (size_t j = i + 1; j < names->size(); ++j) {
       const relation_t& r = message.relations[next++];
       const auto relation = RelationFromCode(r.relation);
-      if (r.first != names[i] || r.second != names[j] || !relation) {
-        return std::nullopt;
+      if (r.first != (*names)[i] || r.second != (*names)[j] || !relation) {
+        return false;
       }
+      const bool is_of_segment =
+          IsSegmentName(r.first) || IsSegmentName(r.second);
+      TouchGraph& graph =
+          is_of_segment ? frame.segment_relations : frame.relations;
       graph.emplace_hint(graph.end(), ObjectPair{r.first, r.second}, *relation);
     }
   }
-  return graph;
+  return true;
+}
+
+bool TouchIn(const KeyFrame& frame, const ObjectPair& pair) {
+  return Touch(frame.relations, pair.first, pair.second) ||
+         Touch(frame.segment_relations, pair.first, pair.second);
 }
 
 bool HasName(const std::string& channel) {
@@ -45,7 +74,7 @@ bool RelativePosesFromMessage(const key_frame_t& message, KeyFrame& frame) {
     auto& poses = frame.relative_poses;
     const bool is_next = poses.empty() || poses.rbegin()->first < pair;
     if (!X_AB || !is_next || pair.second <= pair.first ||
-        !Touch(frame.relations, pair.first, pair.second)) {
+        !TouchIn(frame, pair)) {
       return false;
     }
     poses.emplace_hint(poses.end(), pair, *X_AB);
@@ -81,9 +110,8 @@ relative_pose_t RelativePoseToMessage(const ObjectPair& pair,
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
                                             const SceneObjects& scene_objects) {
   if (message.index < 0) return std::nullopt;
-  auto graph = GraphFromMessage(message, scene_objects);
-  if (!graph) return std::nullopt;
-  KeyFrame frame{message.header.utime, message.index, *std::move(graph), {}};
+  KeyFrame frame{message.header.utime, message.index, {}, {}};
+  if (!RelationsFromMessage(message, scene_objects, frame)) return std::nullopt;
   for (const body_pose_t& body : message.poses) {
     const auto X_WO = PoseFromMessage(body.pose_world_body);
     const bool is_next =
@@ -104,7 +132,9 @@ key_frame_t KeyFrameToMessage(const KeyFrame& frame) {
   key_frame_t message{};
   message.header.utime = frame.utime;
   message.index = frame.index;
-  for (const auto& [pair, relation] : frame.relations) {
+  TouchGraph all = frame.relations;
+  all.insert(frame.segment_relations.begin(), frame.segment_relations.end());
+  for (const auto& [pair, relation] : all) {
     relation_t& r = message.relations.emplace_back();
     r.first = pair.first;
     r.second = pair.second;

@@ -31,11 +31,14 @@ struct KeyFrame {
   /// II-C). The table's frame is W; a hand's is at its centroid, with W's axes.
   std::map<ObjectPair, Eigen::Isometry3d> relative_poses = {};
   LogSegment segment = {};  ///< ends with this key frame
+  /// Of the unmodelled segments that are there (SegmentName()), with all
+  /// objects and each other.
+  TouchGraph segment_relations = {};
 };
 
-/// Nothing unless the message has all pairs of the scene's objects, each with a
-/// known relation, poses of parts, and relative poses of pairs that touch, all
-/// in order, and a segment that ends with it.
+/// Nothing unless the message has all pairs of the scene's objects and of any
+/// segments, each with a known relation, poses of parts, and relative poses of
+/// pairs that touch, all in order, and a segment that ends with it.
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
                                             const SceneObjects& scene_objects);
 key_frame_t KeyFrameToMessage(const KeyFrame& frame);

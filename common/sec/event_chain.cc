@@ -94,6 +94,23 @@ EventChain EventChain::RowsWhere(Predicate is_wanted) const {
   return chosen;
 }
 
+EventChain ChainOf(std::span<const KeyFrame> frames) {
+  TouchGraph absent;
+  for (const KeyFrame& frame : frames) {
+    for (const auto& [pair, relation] : frame.segment_relations) {
+      absent.emplace(pair, Relation::kAbsent);
+    }
+  }
+  EventChain chain;
+  for (const KeyFrame& frame : frames) {
+    TouchGraph all = frame.segment_relations;
+    all.insert(absent.begin(), absent.end());  // where there is none
+    all.insert(frame.relations.begin(), frame.relations.end());
+    chain.Append(all);
+  }
+  return chain;
+}
+
 std::string ToText(const EventChain& chain) {
   std::vector<std::string> names;
   size_t width = 0;

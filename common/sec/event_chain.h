@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "common/scene/key_frame.h"
 #include "common/scene/relation.h"
 
 namespace cell {
@@ -51,6 +53,10 @@ class EventChain {
   std::vector<std::vector<Relation>> rows_;
   size_t num_columns_ = 0;
 };
+
+/// All relations of the key frames, a column each. An unmodelled segment that
+/// is not there at one is absent. @throws like EventChain::Append().
+EventChain ChainOf(std::span<const KeyFrame> frames);
 
 /// A line per row, with the codes of the relations (Fig. 12):
 ///

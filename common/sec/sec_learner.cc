@@ -139,6 +139,14 @@ void SecLearner::Widen(size_t group, const std::vector<int>& wider) {
   widened.Widen(wider, types());
 }
 
+void SecLearner::TurnAround(Lesson* lesson) {
+  ShowingGroup& group = groups_.at(lesson->group);
+  group = Reversed(group);
+  lesson->direction = lesson->direction == ActionDirection::kForward
+                          ? ActionDirection::kReversed
+                          : ActionDirection::kForward;
+}
+
 Result<size_t> SecLearner::Name(const Lesson& lesson, const std::string& name,
                                 bool is_undone) {
   ShowingGroup& shown = groups_.at(lesson.group);

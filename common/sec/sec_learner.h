@@ -67,6 +67,10 @@ class SecLearner {
                             const std::string& source,
                             const std::string& build = "");
 
+  /// Reads all of the lesson's group backwards from now on: what was shown
+  /// undoes the action. @pre the lesson is of a group that nobody has named.
+  void TurnAround(Lesson* lesson);
+
   /// A person's name of what was shown; `is_undone`: it undoes the action. What
   /// has the name already becomes one group with it. The name's group.
   /// Refused: a group that has another name, and groups that do not share a

@@ -44,6 +44,11 @@ void DecisionMaker::SetExperiences(
   state_->SetExperiences(std::move(experiences));
 }
 
+void DecisionMaker::SetSecModels(std::shared_ptr<const SecModels> models) {
+  params_.execution.sec_models = models;
+  state_->SetSecModels(std::move(models));
+}
+
 DecisionMaker::Answer DecisionMaker::Confirm(const std::string& action) {
   if (!is_learning()) {
     return Reason{"this cell does not learn: there is nothing to confirm"};

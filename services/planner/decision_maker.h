@@ -48,6 +48,9 @@ class DecisionMaker {
   void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>> experiences);
 
+  /// How actions show, as far as the cell knows.
+  void SetSecModels(std::shared_ptr<const SecModels> models);
+
   /// An operator lets arms do a learned action for the first time. Refused, in
   /// plain words, for an action that is not known, or if the cell does not
   /// learn.

@@ -8,6 +8,7 @@
 #include "services/planner/decisions.h"
 #include "services/planner/observations.h"
 #include "services/planner/solver.h"
+#include "services/planner/stand_in_offer.h"
 
 namespace cell::planner {
 
@@ -31,6 +32,9 @@ class DecisionState {
   /// What the rules were learned from, if the cell learns.
   virtual void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>>) {}
+
+  /// How actions show, by which parts are known that can stand in for others.
+  virtual void SetSecModels(std::shared_ptr<const SecModels>) {}
 
   /// An operator lets arms do a learned action for the first time.
   virtual void Confirm(const std::string& /*action*/) {}

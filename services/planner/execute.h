@@ -28,6 +28,9 @@ class Execute final : public DecisionState {
   Decisions SetRules(std::shared_ptr<const RuleSet> rules) override;
   void SetExperiences(
       std::shared_ptr<const std::vector<TaskExperience>> experiences) override;
+  void SetSecModels(std::shared_ptr<const SecModels> models) override {
+    context_.params.sec_models = std::move(models);
+  }
   void Confirm(const std::string& action) override;
   bool HasGoal() const override { return true; }
   /// From the end of what runs on.

@@ -22,7 +22,23 @@ Knowledge::Knowledge(Domain domain, bool is_learning,
   if (has_changed_) WithLearnedRules();
 }
 
+void Knowledge::SetModels(ActionModels models) {
+  models_ = std::move(models);
+  SecModels by_name;
+  for (const ActionModel& model : models_->models()) {
+    if (model.sec) by_name.emplace(model.action.name, *model.sec);
+  }
+  sec_models_ = std::make_shared<const SecModels>(std::move(by_name));
+}
+
 void Knowledge::Put(const ActionRecord& record) {
+  // The recognizer reports a record whose event chain makes no sense.
+  if (models_) {
+    const auto update = models_->Apply(record);
+    if (update && *update == ActionModels::Update::kChanged) {
+      SetModels(*std::exchange(models_, std::nullopt));
+    }
+  }
   if (!domain_.Put(ReadAction(record, domain_))) return;
   if (learned_) learned_->SetActions(domain_.actions());
   source_ = record.name;

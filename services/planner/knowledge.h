@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "common/actions/action_models.h"
 #include "common/actions/action_record.h"
 #include "common/experiences/learned_actions.h"
 #include "common/experiences/task_experience.h"
 #include "common/relational/domain.h"
 #include "common/relational/rule_set.h"
+#include "services/planner/stand_in_offer.h"
 
 namespace cell::planner {
 
@@ -28,6 +30,13 @@ class Knowledge {
 
   const Domain& domain() const { return domain_; }
   bool is_learning() const { return learned_.has_value(); }
+
+  /// How actions show: those of the task, and from now on of the library. None
+  /// is known before.
+  void SetModels(ActionModels models);
+  const std::shared_ptr<const SecModels>& sec_models() const {
+    return sec_models_;
+  }
 
   /// The library's record of an action. @throws ConfigError for names that the
   /// task does not have.
@@ -55,6 +64,8 @@ class Knowledge {
 
   Domain domain_;                          // with the actions of the library
   std::optional<LearnedActions> learned_;  // if it learns
+  std::optional<ActionModels> models_;
+  std::shared_ptr<const SecModels> sec_models_;
   std::shared_ptr<const Experiences> experiences_;
   std::string source_ = "domain.yaml";  // of the last change
   bool has_changed_ = false;

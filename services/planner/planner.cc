@@ -57,6 +57,7 @@ Planner::Planner(Bus& bus, Knowledge knowledge,
     bus_.Subscribe<store_answer_t>("STORED",
                                    [this](const auto& m) { OnStored(m); });
   }
+  decision_maker_->SetSecModels(knowledge_.sec_models());
   const RuleSet& rules = decision_maker_->rules();
   const ArmStates arms(rules.shared_vocabulary());
   for (const int arm : arms.arms()) {
@@ -135,6 +136,7 @@ bool Planner::OnAction(const recognised_action_t& message) {
 bool Planner::OnRecord(const action_record_t& message) {
   try {
     knowledge_.Put(cell::FromMessage(message));
+    decision_maker_->SetSecModels(knowledge_.sec_models());
     return true;
   } catch (const ConfigError& e) {
     Refuse("ACTION_RECORD", e.what());
@@ -251,6 +253,7 @@ std::unique_ptr<Service> MakeObservedPlanner(Bus& bus,
     shipped = ReadShippedExperiences(deployment, task.domain);
   }
   Knowledge knowledge(task.domain, decision_maker->is_learning(), shipped);
+  knowledge.SetModels(ActionModels(task.domain, task.parts, task.actions));
   auto planner = std::make_unique<Planner>(bus, std::move(knowledge),
                                            std::move(hands_of_people),
                                            std::move(decision_maker));

@@ -67,7 +67,17 @@ std::optional<Learning::Shown> Learning::OnManipulation(
   last_ = learner_.Add(manipulation, source, BuildVersion());
   has_news_ = has_news_ || last_.has_value();
   if (!last_) return std::nullopt;
+  if (last_->is_new) ReadAsWhatArmsCanDo();
   return ShownBy(*last_, actions);
+}
+
+/// What takes a part out of its seat, and was never seen before, undoes an
+/// action that arms can do.
+void Learning::ReadAsWhatArmsCanDo() {
+  LearnedModel model = learner_.ActionOf(*last_).model;
+  if (skill_.For(model)) return;
+  std::swap(model.pick, model.place);
+  if (skill_.For(model)) learner_.TurnAround(&*last_);
 }
 
 /// The roles are those of the group; its record may have another order.

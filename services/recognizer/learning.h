@@ -51,6 +51,7 @@ class Learning {
   void OnRefusal() { requested_.clear(); }
 
  private:
+  void ReadAsWhatArmsCanDo();
   void WidenTo(const std::vector<Variable>& arguments, size_t group,
                const TypeHierarchy& types);
   std::optional<ActionRecord> ChangeOf(const SecLearner::Action& action,

@@ -91,14 +91,16 @@ bool Recognizer::OnKeyFrame(const key_frame_t& message) {
   last_key_frame_ = frame->index;
   shown_.clear();
   for (const RecognisedAction& action : recognition_->Update(*frame)) {
-    recognised_action_t message = ToMessage(action, next_index_++);
+    recognised_action_t recognised = ToMessage(action, next_index_++);
     const auto shown = shown_.find(action.part);
-    if (message.kind == recognised_action_t::UNKNOWN && shown != shown_.end()) {
-      message.name = shown->second.action;
-      message.arguments = shown->second.arguments;
-      message.num_arguments = static_cast<int32_t>(message.arguments.size());
+    if (recognised.kind == recognised_action_t::UNKNOWN &&
+        shown != shown_.end()) {
+      recognised.name = shown->second.action;
+      recognised.arguments = shown->second.arguments;
+      recognised.num_arguments =
+          static_cast<int32_t>(recognised.arguments.size());
     }
-    bus_.Publish("ACTION", message);
+    bus_.Publish("ACTION", recognised);
   }
   return true;
 }

@@ -1,9 +1,9 @@
 #include "services/sec_builder/key_frame_extractor.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
+#include "common/scene/segment_name.h"
 #include "common/sec/graph_matching.h"
 
 namespace cell::sec_builder {
@@ -20,9 +20,10 @@ std::optional<Eigen::Isometry3d> PoseOf(const std::string& name,
   return track->X_WO;
 }
 
-void AddRelativePoses(const Tracks& tracks, KeyFrame* frame) {
-  for (const auto& [pair, relation] : frame->relations) {
-    if (!Touch(frame->relations, pair.first, pair.second)) continue;
+void AddRelativePoses(const TouchGraph& graph, const Tracks& tracks,
+                      KeyFrame* frame) {
+  for (const auto& [pair, relation] : graph) {
+    if (!Touch(graph, pair.first, pair.second)) continue;
     const auto X_WA = PoseOf(pair.first, tracks);
     const auto X_WB = PoseOf(pair.second, tracks);
     if (X_WA && X_WB) {
@@ -50,9 +51,11 @@ std::vector<KeyFrame> KeyFrameExtractor::Update(
   if (!first_utime_) {
     first_utime_ = tracks.utime;
     for (const auto& [pair, proximity] : proximities) {
-      pairs_.at(pair).Start(proximity);
+      const auto filter = pairs_.find(pair);
+      if (filter != pairs_.end()) filter->second.Start(proximity);
     }
   }
+  UpdateSegments(tracks, proximities);
   UpdatePairs(tracks.utime, proximities);
   ++num_frames_;
   std::vector<KeyFrame> frames;
@@ -77,9 +80,11 @@ bool KeyFrameExtractor::IsOfHandsAlone(const ObjectPair& pair) const {
 }
 
 void KeyFrameExtractor::NoteWhoIsThere(const Tracks& tracks) {
-  for (const Track& track : tracks.tracks) {
-    if (track.state != Track::State::kLost) {
-      last_seen_[track.name] = tracks.utime;
+  for (const std::vector<Track>* some : {&tracks.tracks, &tracks.segments}) {
+    for (const Track& track : *some) {
+      if (track.state != Track::State::kLost) {
+        last_seen_[track.name] = tracks.utime;
+      }
     }
   }
   last_seen_[SceneObjects::kTable] = tracks.utime;
@@ -88,6 +93,51 @@ void KeyFrameExtractor::NoteWhoIsThere(const Tracks& tracks) {
 bool KeyFrameExtractor::IsGone(const std::string& name, int64_t utime) const {
   const auto it = last_seen_.find(name);
   return it == last_seen_.end() || utime - it->second >= params_.absent_us;
+}
+
+void KeyFrameExtractor::UpdateSegments(const Tracks& tracks,
+                                       const Proximities& proximities) {
+  for (const std::string& segment : std::set(segments_)) {
+    if (IsGone(segment, tracks.utime)) RemoveSegment(segment);
+  }
+  for (const Track& track : tracks.segments) {
+    if (track.state == Track::State::kTracked &&
+        segments_.size() < kMaxSegments && !segments_.contains(track.name)) {
+      AddSegment(track.name, tracks.utime, proximities);
+    }
+  }
+}
+
+// Its relations are what they are at first sight, without a change.
+void KeyFrameExtractor::AddSegment(const std::string& segment, int64_t utime,
+                                   const Proximities& proximities) {
+  std::vector<std::string> others = scene_objects_.names();
+  others.insert(others.end(), segments_.begin(), segments_.end());
+  segments_.insert(segment);
+  const Proximity far{2 * params_.pair.release};
+  for (const std::string& other : others) {
+    const ObjectPair pair = MakePair(segment, other);
+    PairFilter filter(params_.pair);
+    const auto measured = proximities.find(pair);
+    if (!IsGone(other, utime)) {
+      filter.Start(measured == proximities.end() ? far : measured->second);
+    }
+    graph_[pair] = filter.relation();
+    pairs_.emplace(pair, filter);
+  }
+}
+
+void KeyFrameExtractor::RemoveSegment(const std::string& segment) {
+  const auto is_of_segment = [&](const ObjectPair& pair) {
+    return pair.first == segment || pair.second == segment;
+  };
+  segments_.erase(segment);
+  last_seen_.erase(segment);
+  std::erase_if(pairs_, [&](const auto& e) { return is_of_segment(e.first); });
+  std::erase_if(graph_, [&](const auto& e) { return is_of_segment(e.first); });
+  std::erase_if(changes_, [&](const Change& change) {
+    return is_of_segment(change.pair);
+  });
 }
 
 void KeyFrameExtractor::UpdatePairs(int64_t utime,
@@ -143,14 +193,21 @@ std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
 }
 
 KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
-  KeyFrame frame{utime, next_index_++, graph_, {}};
+  KeyFrame frame{utime, next_index_++, {}, {}};
+  for (const auto& [pair, relation] : graph_) {
+    const bool is_of_segment =
+        IsSegmentName(pair.first) || IsSegmentName(pair.second);
+    TouchGraph& part =
+        is_of_segment ? frame.segment_relations : frame.relations;
+    part.emplace_hint(part.end(), pair, relation);
+  }
   for (const Track& track : tracks.tracks) {
     if (scene_objects_.IsPart(track.name) &&
         track.state != Track::State::kLost) {
       frame.poses.emplace(track.name, track.X_WO);
     }
   }
-  AddRelativePoses(tracks, &frame);
+  AddRelativePoses(graph_, tracks, &frame);
   frame.segment = {last_utime_.value_or(utime), ChannelsOfSegment()};
   last_utime_ = utime;
   last_graph_ = graph_;
@@ -161,7 +218,9 @@ KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
 std::vector<std::string> KeyFrameExtractor::ChannelsOfSegment() const {
   std::set<std::string> channels = {"TRACKS"};
   for (const auto& [hand, of_arm] : params_.channels) {
-    for (const std::string& name : scene_objects_.names()) {
+    std::set<std::string> others = segments_;
+    others.insert(scene_objects_.names().begin(), scene_objects_.names().end());
+    for (const std::string& name : others) {
       if (Touch(last_graph_, hand, name) || Touch(graph_, hand, name)) {
         channels.insert(of_arm.begin(), of_arm.end());
       }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ namespace cell::sec_builder {
 /// tracker that confuses parts of the same shape starts no key frame.
 ///
 /// The events are those of the parts: contact between two hands (a person's and
-/// a gripper) is none, although the relations of key frames include it.
+/// a gripper) is none, although the relations of key frames include it. That an
+/// unmodelled segment begins or ceases to touch something is one; that it comes
+/// and goes is none, since trackers lose what they have no model of.
 class KeyFrameExtractor {
  public:
   struct Params {
@@ -57,6 +60,10 @@ class KeyFrameExtractor {
   bool IsOfHandsAlone(const ObjectPair& pair) const;
   void NoteWhoIsThere(const Tracks& tracks);
   bool IsGone(const std::string& name, int64_t utime) const;
+  void UpdateSegments(const Tracks& tracks, const Proximities& proximities);
+  void AddSegment(const std::string& segment, int64_t utime,
+                  const Proximities& proximities);
+  void RemoveSegment(const std::string& segment);
   void UpdatePairs(int64_t utime, const Proximities& proximities);
   bool IsOpen(int64_t utime, int64_t window_end) const;
   std::optional<KeyFrame> NextKeyFrame(const Tracks& tracks);
@@ -66,6 +73,7 @@ class KeyFrameExtractor {
   SceneObjects scene_objects_;
   Params params_;
   std::map<ObjectPair, PairFilter> pairs_;
+  std::set<std::string> segments_;  // that are there
   std::map<std::string, int64_t> last_seen_;
   std::vector<Change> changes_;  // confirmed, not yet in a key frame
   TouchGraph graph_;             // of the last key frame

@@ -45,6 +45,14 @@ Proximities ProximitySensor::Measure(const Tracks& tracks) const {
       }
     }
   }
+  for (const Track& segment : tracks.segments) {
+    if (segment.state != Track::State::kTracked) continue;
+    Posed& posed = objects.emplace_back(segment.name, Posed{&segment}).second;
+    posed.cloud = PointCloud(segment.points);
+  }
+  std::ranges::sort(objects, {}, [](const auto& object) -> const std::string& {
+    return object.first;
+  });
   Proximities proximities;
   for (size_t i = 0; i < objects.size(); ++i) {
     for (size_t j = i + 1; j < objects.size(); ++j) {
@@ -60,10 +68,10 @@ Proximity ProximitySensor::Between(const Posed& a, const Posed& b) const {
   if (!a.track) return {FromTable(b)};
   if (!b.track) return {FromTable(a)};
   if (a.shape && b.shape) return OfParts(a, b);
-  if (!a.shape && !b.shape) return {OfHands(a.cloud, b.cloud)};
+  if (!a.shape && !b.shape) return {OfClouds(a.cloud, b.cloud)};
   const Posed& part = a.shape ? a : b;
-  const Posed& hand = a.shape ? b : a;
-  return {part.shape->DistanceTo(hand.cloud, part.track->X_WO, params_.cutoff,
+  const Posed& other = a.shape ? b : a;
+  return {part.shape->DistanceTo(other.cloud, part.track->X_WO, params_.cutoff,
                                  params_.enough)};
 }
 
@@ -91,8 +99,8 @@ double ProximitySensor::FromTable(const Posed& object) const {
   return std::clamp(lowest, 0.0, params_.cutoff);
 }
 
-double ProximitySensor::OfHands(const PointCloud& a,
-                                const PointCloud& b) const {
+double ProximitySensor::OfClouds(const PointCloud& a,
+                                 const PointCloud& b) const {
   const double between = (a.centre() - b.centre()).norm();
   double nearest = params_.cutoff;
   if (between - a.radius() - b.radius() >= nearest) return nearest;

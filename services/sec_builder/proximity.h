@@ -22,7 +22,7 @@ struct Proximity {
 using Proximities = std::map<ObjectPair, Proximity>;
 
 /// Measures how near the objects of a scene are, from their shapes at the
-/// tracked poses.
+/// tracked poses; hands and unmodelled segments are their points.
 class ProximitySensor {
  public:
   struct Params {
@@ -33,21 +33,23 @@ class ProximitySensor {
   ProximitySensor(const SceneObjects& scene_objects, const PartTable& parts,
                   const Params& params);
 
-  /// All pairs of objects with a state TRACKED, the table included.
+  /// All pairs of objects with a state TRACKED, unmodelled segments and the
+  /// table included.
   Proximities Measure(const Tracks& tracks) const;
 
  private:
-  /// An object of the scene as it is now: a part, a hand or the table.
+  /// An object of the scene as it is now: a part, a hand, a segment or the
+  /// table.
   struct Posed {
     const Track* track = nullptr;      // nullptr: the table
     const PartShape* shape = nullptr;  // of a part
-    PointCloud cloud{{}};              // of a hand
+    PointCloud cloud{{}};              // of a hand or segment
   };
 
   Proximity Between(const Posed& a, const Posed& b) const;
   Proximity OfParts(const Posed& a, const Posed& b) const;
   double FromTable(const Posed& object) const;
-  double OfHands(const PointCloud& a, const PointCloud& b) const;
+  double OfClouds(const PointCloud& a, const PointCloud& b) const;
 
   SceneObjects scene_objects_;
   Params params_;

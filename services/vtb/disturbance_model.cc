@@ -108,7 +108,12 @@ bool DisturbanceModel::Disturb(const World& world) {
   using Kind = Script::Disturbance::Kind;
   const Kind kind = script_->disturbance->kind;
   if (kind == Kind::kPlace) return PlaceSomething(world);
-  const std::vector<std::string> parts = LooseParts(world);
+  const std::vector<std::string>& types = script_->disturbance->part_types;
+  std::vector<std::string> parts = LooseParts(world);
+  std::erase_if(parts, [&](const std::string& part) {
+    return !types.empty() &&
+           std::ranges::count(types, world.table().Find(part)->type) == 0;
+  });
   if (parts.empty()) return false;
   const std::string& part = parts[std::uniform_int_distribution<size_t>(
       0, parts.size() - 1)(random_)];

@@ -67,6 +67,18 @@ std::optional<HelpAction> Raising(const HelpRequest& request,
 
 }  // namespace
 
+std::vector<HelpRequest> RequestsOf(const execution_t& message) {
+  std::vector<HelpRequest> requests;
+  if (message.state != execution_t::STUCK || !message.help_part.empty()) {
+    return requests;
+  }
+  for (const literal_t& literal : message.needed) {
+    requests.push_back({literal.predicate, literal.arguments,
+                        literal.value == literal_t::TRUE_});
+  }
+  return requests;
+}
+
 std::optional<HelpAction> ActionFor(const HelpRequest& request,
                                     const Demonstrations& demonstrations,
                                     std::span<const std::string> at_hand,

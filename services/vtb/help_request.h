@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/execution_t.hpp"
 #include "services/vtb/script.h"
 #include "services/vtb/world.h"
 
@@ -18,6 +19,9 @@ struct HelpRequest {
   std::vector<std::string> arguments;
   bool is_true = true;  ///< is to become true, or false
 };
+
+/// What the cell asks for, unless it is a step that is left to the person.
+std::vector<HelpRequest> RequestsOf(const execution_t& message);
 
 /// What a hand can do about it.
 struct HelpAction {

@@ -118,6 +118,7 @@ Script::Disturbance DisturbanceFromConfig(const Config& config) {
   }
   disturbance.earliest = within[0];
   disturbance.latest = within[1];
+  disturbance.part_types = NamesOf(disturbs, "of");
   for (const Config& place : disturbs.ItemsOf("to")) {
     const auto xy = place.As<std::vector<double>>();
     if (xy.size() != 2) place.Fail("should be [x, y]");
@@ -231,16 +232,22 @@ void CheckStart(const Config& config, const Script& script,
   }
 }
 
+void CheckTypes(const Config& config, const char* key,
+                const std::vector<std::string>& types, const PartTable& table) {
+  for (const std::string& type : types) {
+    if (AnyIs(table.parts(), type, &Part::type)) continue;
+    config[key].Fail("no part is of type '" + type + "'");
+  }
+}
+
 void CheckScript(const Config& config, const Script& script,
                  const Demonstrations& demonstrations, const PartTable& table) {
   CheckStart(config, script, table);
-  const std::pair<const char*, const std::vector<std::string>*> lists[] = {
-      {"lay_outside", &script.lay_outside}, {"lay_down", &script.lay_down}};
-  for (const auto& [key, types] : lists) {
-    for (const std::string& type : *types) {
-      if (AnyIs(table.parts(), type, &Part::type)) continue;
-      config[key].Fail("no part is of type '" + type + "'");
-    }
+  CheckTypes(config, "lay_outside", script.lay_outside, table);
+  CheckTypes(config, "lay_down", script.lay_down, table);
+  if (script.disturbance && !script.disturbance->part_types.empty()) {
+    CheckTypes(config["disturbance"]["disturbs"], "of",
+               script.disturbance->part_types, table);
   }
   const auto check = [&](const std::string& key, const std::string& rule) {
     if (!demonstrations.rules.contains(rule)) {

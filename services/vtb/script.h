@@ -65,6 +65,8 @@ struct Script {
     Kind kind = Kind::kMove;
     CountRange count;                 ///< of what disturbs
     double earliest = 0, latest = 0;  ///< [s] in the episode
+    /// Types of the parts that are moved; none: any.
+    std::vector<std::string> part_types;
     /// [m] in the plane of W, where moved parts go; none: anywhere free.
     std::vector<Eigen::Vector2d> places;
     /// Moved parts may go where no arm can take them; else they never do.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -16,9 +15,7 @@
 #include "cell/truth_action_t.hpp"
 #include "cell/truth_contacts_t.hpp"
 #include "cell/truth_poses_t.hpp"
-#include "common/arms/cell_check.h"
 #include "common/geometry/pose.h"
-#include "common/task/task.h"
 
 namespace cell::vtb {
 namespace {
@@ -43,30 +40,6 @@ int StepsPerTick(double dt) {
         fmt::format("{} s does not divide a tick of {} s", dt, kTick));
   }
   return static_cast<int>(rounded);
-}
-
-/// "a+b" is a, then b.
-std::vector<std::string> SplitAtPlus(const std::string& text) {
-  std::vector<std::string> names;
-  std::istringstream stream(text);
-  for (std::string name; std::getline(stream, name, '+');) {
-    names.push_back(name);
-  }
-  if (names.empty()) names.emplace_back();
-  return names;
-}
-
-void LoadArms(const Config& config, ArmDevice::Params* params) {
-  ArmServo::Params& servo = params->servo;
-  servo.bandwidth = config.Number("bandwidth_hz", 1, 60);
-  servo.dead_ticks = config.Integer("dead_ticks", 0, 20);
-  servo.patience_ticks = config.Integer("patience_ticks", 1, 50);
-  servo.stop_force = config.Number("stop_force_n", 10, 1000);
-  params->gripper.speed = 1e-3 * config.Number("finger_speed_mm", 1, 1000);
-  params->has_sensors = config.Get<bool>("sensors");
-  const std::vector<double> bias = config.Numbers("sensor_bias", 6);
-  params->bias.force = Eigen::Vector3d(bias[0], bias[1], bias[2]);
-  params->bias.torque = Eigen::Vector3d(bias[3], bias[4], bias[5]);
 }
 
 }  // namespace
@@ -199,23 +172,6 @@ CommandAnswer Vtb::StartByCommand(const Request& request) {
       fmt::format("{}{} with seed {} begins at {:.2f} s", before,
                   request.demonstration, request.seed, kTick * next_->tick));
 }
-
-namespace {
-
-/// What is asked for, unless it is a step that is left to the person.
-std::vector<HelpRequest> RequestsOf(const execution_t& message) {
-  std::vector<HelpRequest> requests;
-  if (message.state != execution_t::STUCK || !message.help_part.empty()) {
-    return requests;
-  }
-  for (const literal_t& literal : message.needed) {
-    requests.push_back({literal.predicate, literal.arguments,
-                        literal.value == literal_t::TRUE_});
-  }
-  return requests;
-}
-
-}  // namespace
 
 bool Vtb::OnExecution(const execution_t& message) {
   if (message.state < execution_t::RUNNING ||
@@ -379,41 +335,6 @@ void Vtb::PublishAttempt() {
   message.part = failed->attempt.part;
   message.site = failed->attempt.site;
   bus_.Publish("ATTEMPT", message);
-}
-
-std::unique_ptr<Service> MakeVtb(Bus& bus, const Deployment& deployment,
-                                 const std::string& demonstration,
-                                 uint64_t seed) {
-  Vtb::Params params;
-  // The folder may be given with a slash at its end.
-  params.task = (deployment.task_dir / "").parent_path().filename().string();
-  const Task task = LoadTask(deployment);
-  CheckCell(deployment.OfTask("cell.yaml"), task.parts, task.layout);
-  params.parts = task.parts;
-  params.layout = task.layout;
-  params.demonstrations = Demonstrations::FromConfig(
-      deployment.OfTask("demonstrators.yaml"), params.parts);
-
-  const Config config = deployment.ForService("vtb");
-  params.physics.dt = 1e-3 * config.Number("step_ms", 0.1, 4);
-  params.physics.friction = config.Number("friction", 0, 2);
-  params.physics.grip_time_constant =
-      1e-3 * config.Number("grip_time_constant_ms", 2, 200);
-  params.physics.sleep = config.Get<bool>("sleep");
-  const double patience = config.Number("operator_patience_s", 1, 86400);
-  if (!deployment.has_operator) {
-    params.operator_patience = static_cast<int32_t>(patience / kTick);
-  }
-  params.truth_period_ticks = config.Integer("truth_period_ticks", 1, 1250);
-  LoadArms(config["arms"], &params.arms);
-  // Every episode has random numbers of its own.
-  for (const std::string& name : demonstration.empty()
-                                     ? params.demonstrations.default_episodes
-                                     : SplitAtPlus(demonstration)) {
-    params.episodes.push_back({name, seed + params.episodes.size()});
-  }
-  config.Finish();
-  return std::make_unique<Vtb>(bus, params);
 }
 
 }  // namespace cell::vtb

@@ -18,6 +18,7 @@
 #include "cell/answer_t.hpp"
 #include "cell/arm_report_t.hpp"
 #include "cell/asked_skill_t.hpp"
+#include "cell/command_confirm_t.hpp"
 #include "cell/command_episode_t.hpp"
 #include "cell/command_fault_t.hpp"
 #include "cell/command_goal_t.hpp"
@@ -181,6 +182,10 @@ const std::map<std::string, std::vector<Bytes>>& Corpus() {
     command.demonstration = "assembly";
     command.deadline_utime = std::numeric_limits<int64_t>::max();
     samples["COMMAND_EPISODE"] = {Bus::Encode(command)};
+    command_confirm_t confirm{};
+    confirm.action = "PlaceRoundPeg";
+    confirm.deadline_utime = std::numeric_limits<int64_t>::max();
+    samples["COMMAND_CONFIRM"] = {Bus::Encode(confirm)};
     command_fault_t fault{};
     fault.arm = "right";
     fault.deadline_utime = std::numeric_limits<int64_t>::max();
@@ -412,17 +417,17 @@ TEST_P(ForgedMessages, CrashNoServiceAndAreCounted) {
 
 INSTANTIATE_TEST_SUITE_P(
     AllChannels, ForgedMessages,
-    testing::Values("EPISODE", "COMMAND_EPISODE", "COMMAND_FAULT",
-                    "TRUTH_POSES", "TRUTH_CONTACTS", "TRUTH_ACTIONS", "TRACKS",
-                    "KEY_FRAME", "RELATION_LAYERS", "ACTION", "PREDICATES",
-                    "PLAN", "ALERT", "ANSWER", "STATUS", "COMMAND_GOAL",
-                    "COMMAND_MODE", "COMMAND_LIBRARY", "COMMAND_NAME",
-                    "MOTION_PERMIT", "MOTION_PLAN", "MOTION_REQUEST", "MODE",
-                    "SENSE_REQUEST", "SKILL_REQUEST", "SKILL_RESULT",
-                    "EXECUTION", "ARM_REPORT_LEFT", "ARM_REPORT_RIGHT",
-                    "ARM_STATE_LEFT", "ARM_STATE_RIGHT", "WRENCH_RIGHT",
-                    "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT", "FRAME_1",
-                    "LIBRARY_REQUEST", "STORE_REQUEST", "EXPERIENCE",
+    testing::Values("EPISODE", "COMMAND_EPISODE", "COMMAND_CONFIRM",
+                    "COMMAND_FAULT", "TRUTH_POSES", "TRUTH_CONTACTS",
+                    "TRUTH_ACTIONS", "TRACKS", "KEY_FRAME", "RELATION_LAYERS",
+                    "ACTION", "PREDICATES", "PLAN", "ALERT", "ANSWER", "STATUS",
+                    "COMMAND_GOAL", "COMMAND_MODE", "COMMAND_LIBRARY",
+                    "COMMAND_NAME", "MOTION_PERMIT", "MOTION_PLAN",
+                    "MOTION_REQUEST", "MODE", "SENSE_REQUEST", "SKILL_REQUEST",
+                    "SKILL_RESULT", "EXECUTION", "ARM_REPORT_LEFT",
+                    "ARM_REPORT_RIGHT", "ARM_STATE_LEFT", "ARM_STATE_RIGHT",
+                    "WRENCH_RIGHT", "ARM_SETPOINT_LEFT", "ARM_SETPOINT_RIGHT",
+                    "FRAME_1", "LIBRARY_REQUEST", "STORE_REQUEST", "EXPERIENCE",
                     "EXPERIENCE_REQUEST"),
     [](const auto& channel) { return std::string(channel.param); });
 

@@ -25,12 +25,13 @@ class AssemblingCell {
   /// `guests`: services of the test itself, at the end of the roster.
   explicit AssemblingCell(
       uint64_t seed, const std::map<std::string, ServiceFactory>& guests = {},
-      const Deployment& deployment = ShippedDeployment()) {
+      const Deployment& deployment = ShippedDeployment(),
+      const std::string& script = "execution") {
     Roster roster = Roster::FromConfig(deployment.ForService("roster"));
     std::erase_if(roster.entries, [](const Roster::Entry& entry) {
       return entry.name == "recorder";
     });
-    auto factories = AllServices(deployment, "execution", seed);
+    auto factories = AllServices(deployment, script, seed);
     for (const auto& [name, factory] : guests) {
       roster.entries.push_back({.name = name, .feeds_clock = true});
       factories[name] = factory;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +57,15 @@ TEST(World, PartsStandStillOnTheTable) {
   const std::vector<BodyPose> before = world.Bodies();
   world.Run(1500);
   EXPECT_LT(LargestShift(before, world.Bodies()), 2e-4);
+}
+
+TEST(World, MujocosMessagesLeaveNoFile) {
+  const std::filesystem::path file = "MUJOCO_LOG.TXT";
+  std::filesystem::remove(file);
+  const World world = MakeWorld();
+  mju_warning("a small buffer");
+  EXPECT_THROW(mju_error("no memory"), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 // A cylinder that stood upright to 1e-15 once lost its contact with the plane,

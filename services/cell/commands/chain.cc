@@ -42,19 +42,22 @@ bool IsStart(const Message& message) {
 /// has no key frames.
 std::vector<EventChain> ChainsOf(const RunFolder& run) {
   const SceneObjects scene_objects = LoadTask(run.deployment).scene_objects;
-  std::vector<EventChain> chains;
+  std::vector<std::vector<KeyFrame>> episodes;
   const RunLog log = RunLog::Load(run.path);
   for (const auto& [tick, entry] : log.ticks()) {
-    if (std::ranges::any_of(entry.messages, IsStart)) chains.emplace_back();
+    if (std::ranges::any_of(entry.messages, IsStart)) episodes.emplace_back();
     for (const Message& message : entry.messages) {
-      if (message.channel != "KEY_FRAME" || chains.empty()) continue;
+      if (message.channel != "KEY_FRAME" || episodes.empty()) continue;
       const auto decoded = Decode<key_frame_t>(message);
-      const auto frame =
+      auto frame =
           decoded ? KeyFrameFromMessage(*decoded, scene_objects) : std::nullopt;
-      if (frame) chains.back().Append(frame->relations);
+      if (frame) episodes.back().push_back(*std::move(frame));
     }
   }
-  std::erase_if(chains, [](const auto& c) { return c.num_columns() == 0; });
+  std::vector<EventChain> chains;
+  for (const std::vector<KeyFrame>& frames : episodes) {
+    if (!frames.empty()) chains.push_back(ChainOf(frames));
+  }
   if (chains.empty()) {
     throw std::runtime_error(run.path.string() +
                              ": the log holds no key frame of an episode");
@@ -76,9 +79,10 @@ EventChain Chosen(const EventChain& chain, const ChainOptions& options) {
   const EventChain rows =
       options.object.empty() ? chain : chain.RowsOf(options.object);
   if (rows.num_rows() == 0) {
-    throw std::invalid_argument(
-        "--object " + options.object + ": no part, hand or table is named '" +
-        options.object + "'" + NamesInstead(options.object, ObjectsOf(chain)));
+    throw std::invalid_argument("--object " + options.object +
+                                ": no part, hand, segment or table is named '" +
+                                options.object + "'" +
+                                NamesInstead(options.object, ObjectsOf(chain)));
   }
   return rows.ChangingRows().DistinctColumns();
 }

@@ -110,12 +110,12 @@ ShownEpisode ReadEpisode(const PlotOptions& options, const Task& task) {
 /// at which they do.
 ChainFigure FigureOf(const ShownEpisode& episode, const PlotOptions& options,
                      std::vector<KeyFrame>* frames) {
-  EventChain all;
-  for (const KeyFrame& frame : episode.frames) all.Append(frame.relations);
+  EventChain all = ChainOf(episode.frames);
   if (!options.object.empty()) all = all.RowsOf(options.object);
   if (all.num_rows() == 0) {
-    throw std::invalid_argument("--object " + options.object +
-                                ": no part, hand or table has this name");
+    throw std::invalid_argument(
+        "--object " + options.object +
+        ": no part, hand, segment or table has this name");
   }
   all = all.ChangingRows();
   ChainFigure figure;

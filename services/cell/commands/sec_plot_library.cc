@@ -7,6 +7,7 @@
 
 #include "common/node/cell_files.h"
 #include "common/sec/chain_similarities.h"
+#include "common/sec/library_members.h"
 #include "common/sec/sec_learner.h"
 #include "common/text/counted.h"
 #include "services/cell/commands/library_models.h"
@@ -17,41 +18,14 @@
 namespace cell::cli {
 namespace {
 
-/// What one demonstration has taught of a model, as a model of its own.
-LearnedModel ModelOf(const Contribution& contribution,
-                     const LearnedModel& model) {
-  LearnedModel own = model;
-  for (size_t role = 0; role < own.roles.size(); ++role) {
-    own.roles[role].type = contribution.types[role];
-  }
-  own.pick = contribution.pick;
-  own.place = contribution.place;
-  own.chain = contribution.chain;
-  own.shown = contribution.shown;
-  own.taught = {contribution};
-  return own;
-}
-
-/// "assembly 1" or, of several demonstrations, "assembly 1 and 2 others".
-std::string NameOf(const Contribution& contribution) {
-  const auto& shown = contribution.shown;
-  if (shown.empty()) return "?";
-  if (shown.size() == 1) return shown.begin()->first;
-  return fmt::format("{} and {}", shown.begin()->first,
-                     Counted(static_cast<int64_t>(shown.size()) - 1, "other"));
-}
-
 LibraryFigure::Model FigureModelOf(const std::string& name,
-                                   const LearnedModel& model,
-                                   const SceneWords& words,
-                                   const ChainSimilarity& chains) {
-  LibraryFigure::Model drawn{name, model.chain, {}, {}};
-  RoleSimilarity::Models members;
-  for (size_t k = 0; k < model.taught.size(); ++k) {
-    drawn.members.push_back(NameOf(model.taught[k]));
-    members.emplace(fmt::format("{:08}", k), ModelOf(model.taught[k], model));
+                                   const LearnedModel& model, size_t number,
+                                   const LibraryMembers& members) {
+  LibraryFigure::Model drawn{name, model.chain, {}, members.OfModel(number)};
+  for (size_t k = 0; k < members.names.size(); ++k) {
+    if (members.model_of[k] == number)
+      drawn.members.push_back(members.names[k]);
   }
-  drawn.of_members = RoleSimilarity(members, words, chains).OfActions();
   return drawn;
 }
 
@@ -70,9 +44,12 @@ int PlotLibrary(const LibraryPlotOptions& options) {
   LibraryFigure figure;
   figure.threshold = SecLearner::Params{}.threshold;
   figure.of_models = RoleSimilarity(models, words, *chains).OfActions();
+  const LibraryMembers members = CompareMembers(models, words, *chains);
   for (const auto& [name, model] : models) {
-    figure.models.push_back(FigureModelOf(name, model, words, *chains));
+    figure.models.push_back(
+        FigureModelOf(name, model, figure.models.size(), members));
   }
+  figure.of_members = HistogramOf(members);
   file.Write(SizeOf(figure),
              [&](Canvas* canvas) { DrawLibrary(figure, canvas); });
   std::cout << fmt::format(

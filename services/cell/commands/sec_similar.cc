@@ -12,6 +12,7 @@
 
 #include "common/node/cell_files.h"
 #include "common/sec/chain_similarities.h"
+#include "common/sec/library_members.h"
 #include "common/sec/role_similarity.h"
 #include "common/sec/sec_learner.h"
 #include "common/task/task.h"
@@ -50,6 +51,30 @@ void PrintMatrix(const std::string& title, std::span<const std::string> names,
   }
 }
 
+/// The distribution of the similarities that divides what is one action.
+void PrintHistogram(const MemberHistogram& histogram,
+                    std::span<const std::string> models) {
+  if (histogram.num_pairs() == 0) return;
+  std::cout << fmt::format(
+      "{} pairs of what was shown, of one action and of two, by similarity:\n",
+      histogram.num_pairs());
+  for (size_t bin = 0; bin < histogram.kNumBins; ++bin) {
+    if (histogram.of_one[bin] + histogram.of_two[bin] == 0) continue;
+    const double low = static_cast<double>(bin) / histogram.kNumBins;
+    std::cout << fmt::format("  {:.2f} to {:.2f} {:6} {:6}\n", low,
+                             low + 1.0 / histogram.kNumBins,
+                             histogram.of_one[bin], histogram.of_two[bin]);
+  }
+  std::cout << fmt::format(
+      "  Otsu's bound {:.2f}; tau, the mean from there on, {:.2f}; the cell "
+      "takes showings for one action from {:.2f} on, if their types agree\n",
+      histogram.cut, histogram.tau, SecLearner::Params{}.threshold);
+  for (const auto& [a, b] : histogram.alike) {
+    std::cout << fmt::format("  types alone tell {} and {} apart\n", models[a],
+                             models[b]);
+  }
+}
+
 int Similar(const SimilarOptions& options) {
   Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   std::optional<VariedTask> varied;
@@ -67,6 +92,7 @@ int Similar(const SimilarOptions& options) {
   std::vector<std::string> names;
   for (const auto& [name, model] : models) names.push_back(name);
   PrintMatrix("actions", names, roles.OfActions(), options.threshold);
+  PrintHistogram(HistogramOf(CompareMembers(models, words, *chains)), names);
   PrintMatrix("objects, by the roles that they play", roles.Types(),
               roles.OfTypes(), options.threshold);
   for (const auto& [object, action] : roles.AllStandIns()) {
@@ -84,7 +110,8 @@ void AddSecSimilar(CLI::App& sec, Action* action) {
   CLI::App* command = sec.add_subcommand(
       "similar",
       "Show what can stand in for what: how alike the actions are that were "
-      "learned, and the objects by the roles that they play in them.\n"
+      "learned, with the histogram of what taught them and Otsu's bound, and "
+      "the objects by the roles that they play in them.\n"
       "Example: cell sec similar --database runs/demo-0001");
   command->add_option("--database", options->database,
                       "a library's file, or a run folder that has one "

@@ -18,6 +18,14 @@ constexpr int kNumTitleLines = 2;
 constexpr int kValueWidth = 96;  // of a cell with a similarity
 constexpr int kEntryWidth = 44;  // of a cell with a relation
 constexpr Canvas::Colour kFrameColour = {200, 30, 30};
+constexpr int kBarWidth = 40;     // of a bin of the histogram
+constexpr int kBarsHeight = 112;  // of the highest bar
+constexpr int kHistogramLines = 8;
+constexpr int kHistogramWidth =
+    2 * kMargin + static_cast<int>(MemberHistogram::kNumBins) * kBarWidth;
+constexpr Canvas::Colour kOfOneColour = {90, 185, 110};
+constexpr Canvas::Colour kOfTwoColour = {150, 150, 160};
+constexpr Canvas::Colour kCutColour = {40, 80, 190};
 
 std::string LabelOf(const ObjectPair& pair) {
   return pair.first + ", " + pair.second;
@@ -40,8 +48,9 @@ Canvas::Colour ColourOf(double similarity) {
   return {mix(90), mix(185), mix(110)};
 }
 
-/// Where the figure's pieces are: models by models on top; below, for each
-/// model a title, its chain on the left, and members by members on the right.
+/// Where the figure's pieces are: models by models on top; below the histogram,
+/// and for each model a title, its chain on the left, and members by members on
+/// the right.
 struct LibraryLayout {
   explicit LibraryLayout(const LibraryFigure& figure) {
     size_t num_columns = 0, num_members = 0;
@@ -66,6 +75,8 @@ struct LibraryLayout {
     members_x = entries_x + num(num_columns) * kEntryWidth + 3 * kMargin;
     values_x = members_x + member_width + kMargin;
     int y = kMargin + (num(figure.models.size()) + kNumTitleLines + 2) * kLine;
+    histogram_y = y;
+    if (figure.of_members.num_pairs() > 0) y += kHistogramLines * kLine;
     for (const LibraryFigure::Model& model : figure.models) {
       model_y.push_back(y);
       const size_t lines =
@@ -73,14 +84,16 @@ struct LibraryLayout {
       y += (num(lines) + 1) * kLine + kMargin;
     }
     height = y;
-    width =
-        kMargin + std::max(matrix_x + num(figure.models.size()) * kValueWidth,
-                           values_x + num(num_members) * kValueWidth);
+    width = kMargin +
+            std::max({matrix_x + num(figure.models.size()) * kValueWidth,
+                      values_x + num(num_members) * kValueWidth,
+                      figure.of_members.num_pairs() > 0 ? kHistogramWidth : 0});
   }
 
   int name_width = 0, row_width = 0, member_width = 0;
   int matrix_x = 0, entries_x = 0, members_x = 0, values_x = 0;
   std::vector<int> model_y;  // of its title
+  int histogram_y = 0;
   int width = 0, height = 0;
 };
 
@@ -111,6 +124,49 @@ void DrawSimilarities(const LibraryFigure::Similarities& similarities, int x,
       if (i != j && is_marked(value)) DrawFrame(left, top, canvas);
     }
   }
+}
+
+/// Bars of what is of one action on those of two, and lines at the bounds.
+void DrawHistogram(const LibraryFigure& figure, int top, Canvas* canvas) {
+  const MemberHistogram& histogram = figure.of_members;
+  canvas->Text(
+      kMargin, top + kLine / 2,
+      fmt::format("{} pairs of what was shown: of one action green, of two "
+                  "grey",
+                  histogram.num_pairs()));
+  canvas->Text(kMargin, top + 3 * kLine / 2,
+               fmt::format("Otsu's bound {:.2f} (blue), tau {:.2f}, one action "
+                           "from {:.2f} (red)",
+                           histogram.cut, histogram.tau, figure.threshold));
+  size_t most = 1;
+  for (size_t bin = 0; bin < histogram.kNumBins; ++bin) {
+    most = std::max(most, histogram.of_one[bin] + histogram.of_two[bin]);
+  }
+  const auto height_of = [most](size_t num) {
+    return static_cast<int>(num * size_t{kBarsHeight} / most);
+  };
+  const int bottom = top + 2 * kLine + kMargin / 2 + kBarsHeight;
+  for (size_t bin = 0; bin < histogram.kNumBins; ++bin) {
+    const int x = kMargin + static_cast<int>(bin) * kBarWidth;
+    const int of_two = height_of(histogram.of_two[bin]);
+    const int of_one = height_of(histogram.of_one[bin]);
+    canvas->Rectangle(x, bottom - of_two, kBarWidth - 2, of_two, kOfTwoColour);
+    canvas->Rectangle(x, bottom - of_two - of_one, kBarWidth - 2, of_one,
+                      kOfOneColour);
+    if (bin % 4 == 0) {
+      canvas->CentredText(
+          x + kBarWidth / 2, bottom + kLine / 2,
+          fmt::format("{:.1f}", static_cast<double>(bin) / histogram.kNumBins));
+    }
+  }
+  const auto draw_bound = [&](double at, const Canvas::Colour& colour) {
+    const int x =
+        kMargin +
+        static_cast<int>(std::lround(at * histogram.kNumBins * kBarWidth));
+    canvas->Line(x, bottom - kBarsHeight, x, bottom, 2, colour);
+  };
+  draw_bound(histogram.cut, kCutColour);
+  draw_bound(figure.threshold, kFrameColour);
 }
 
 void DrawModel(const LibraryFigure& figure, const LibraryLayout& layout,
@@ -179,6 +235,9 @@ void DrawLibrary(const LibraryFigure& figure, Canvas* canvas) {
   DrawSimilarities(
       figure.of_models, layout.matrix_x, y,
       [&](double value) { return value >= figure.threshold; }, canvas);
+  if (figure.of_members.num_pairs() > 0) {
+    DrawHistogram(figure, layout.histogram_y, canvas);
+  }
   for (size_t i = 0; i < figure.models.size(); ++i) {
     DrawModel(figure, layout, i, canvas);
   }

@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "common/sec/event_chain.h"
+#include "common/sec/library_members.h"
 #include "services/cell/pictures/canvas.h"
 
 namespace cell::cli {
 
 /// A library of SEC models: how alike its models are, and of each its event
 /// chain, the demonstrations that are its members, and how alike these are
-/// (section VI-A). Similarities are matrices by rows, from 0 to 1.
+/// (section VI-A); the histogram of all members' similarities, with Otsu's
+/// bound and tau. Similarities are matrices by rows, from 0 to 1.
 struct LibraryFigure {
   using Similarities = std::vector<std::vector<double>>;
   struct Model {
@@ -26,6 +28,8 @@ struct LibraryFigure {
   /// From which on showings are of one action. Framed: models that are as
   /// similar, and members that are not.
   double threshold = 0;
+  /// Of all members; drawn if it has pairs.
+  MemberHistogram of_members = {};
 };
 
 /// [px] Width and height.

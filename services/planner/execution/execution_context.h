@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "services/planner/exploration.h"
 #include "services/planner/sensing.h"
 #include "services/planner/skill_dispatch.h"
+#include "services/planner/stand_in_offer.h"
 
 namespace cell::planner {
 
@@ -28,6 +30,8 @@ struct ExecutionParams {
   RequestWords requests = {};  ///< how the person is asked
   /// If the cell learns: how it explores.
   std::optional<Exploration> exploration = {};
+  /// By which parts are known that can stand in for others; nullptr: none is.
+  std::shared_ptr<const SecModels> sec_models = {};
   /// [us] for an experience to become a rule, before anything else is done.
   int64_t lesson_us = 400'000;
 };

@@ -21,8 +21,13 @@ ExecutionStatus QuestionAbout(const ExecutionContext& context,
                                requests);
   }
   if (plan.result == Plan::Result::kNoPlan) {
-    return AskForHelp(context.plan, state, context.dispatch.failures(),
-                      requests);
+    ExecutionStatus question =
+        AskForHelp(context.plan, state, context.dispatch.failures(), requests);
+    if (context.params.sec_models) {
+      OfferStandIns(*context.params.sec_models, context.plan.rules(), state,
+                    &question);
+    }
+    return question;
   }
   return {.state = ExecutionStatus::State::kStuck,
           .text = plan.result == Plan::Result::kFound

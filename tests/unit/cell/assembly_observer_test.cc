@@ -3,12 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <map>
-#include <memory>
 
 #include "cell/asked_skill_t.hpp"
 #include "cell/skill_result_t.hpp"
-#include "common/bus/bus.h"
-#include "common/geometry/pose.h"
+#include "tests/unit/cell/fed_messages.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -22,22 +20,14 @@ using testing::IsEmpty;
 class AssemblyObserverTest : public testing::Test {
  protected:
   template <class M>
-  void Put(const std::string& channel, M message) {
-    message.header.utime = utime_;
-    observer_.Put(
-        {channel, 0, 0, 0, 0, std::make_shared<Bytes>(Bus::Encode(message))});
+  void Put(const std::string& channel, const M& message) {
+    observer_.Put(LoggedMessage(channel, message, utime_));
   }
   /// Half a second in which nothing moves.
   void Rest() {
     for (int i = 0; i < 5; ++i) {
       utime_ += 100'000;
-      truth_poses_t truth{};
-      for (const Part& part : task_.parts.parts()) {
-        truth.bodies.push_back(
-            {part.name, PoseToMessage(stage_.PoseOf(part.name))});
-      }
-      truth.num_bodies = static_cast<int32_t>(truth.bodies.size());
-      Put("TRUTH_POSES", truth);
+      Put("TRUTH_POSES", TruthOf(stage_, task_.parts));
     }
   }
   void End(int64_t id, const std::string& skill, int8_t outcome,

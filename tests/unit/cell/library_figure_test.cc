@@ -62,10 +62,30 @@ TEST(LibraryFigure, FramesModelsThatAreAlikeAndMembersThatAreNot) {
   EXPECT_EQ(CountIn(SvgOf(figure), "<line"), 4 * 2);
 }
 
+/// 4 pairs of one action, 2 of two.
+LibraryFigure WithHistogram() {
+  LibraryFigure figure = TwoModels();
+  figure.of_members.of_one[18] = 4;
+  figure.of_members.of_two[3] = 2;
+  figure.of_members.cut = 0.55;
+  figure.of_members.tau = 0.92;
+  return figure;
+}
+
+TEST(LibraryFigure, ShowsTheHistogramWithItsBoundsIfThereIsOne) {
+  EXPECT_THAT(SvgOf(TwoModels()), testing::Not(HasSubstr("Otsu")));
+  const std::string svg = SvgOf(WithHistogram());
+  EXPECT_THAT(svg, HasSubstr("6 pairs"));
+  EXPECT_THAT(svg, HasSubstr("bound 0.55"));
+  EXPECT_THAT(svg, HasSubstr("tau 0.92"));
+  EXPECT_EQ(CountIn(svg, "<line"), CountIn(SvgOf(TwoModels()), "<line") + 2);
+  EXPECT_GT(SizeOf(WithHistogram())[1], SizeOf(TwoModels())[1]);
+}
+
 TEST(LibraryFigure, AsPixelsFitsItsSize) {
-  const auto [width, height] = SizeOf(TwoModels());
+  const auto [width, height] = SizeOf(WithHistogram());
   RasterCanvas canvas(width, height);
-  DrawLibrary(TwoModels(), &canvas);
+  DrawLibrary(WithHistogram(), &canvas);
   for (int x = 0; x < width; ++x) {
     const auto last = static_cast<size_t>((height - 1) * width + x);
     EXPECT_EQ(canvas.image().pixels[last], canvas.image().pixels.back());

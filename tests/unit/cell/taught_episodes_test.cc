@@ -2,16 +2,13 @@
 
 #include <gmock/gmock.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "cell/episode_t.hpp"
 #include "cell/execution_t.hpp"
 #include "cell/truth_action_t.hpp"
-#include "cell/truth_poses_t.hpp"
-#include "common/bus/bus.h"
-#include "common/geometry/pose.h"
+#include "tests/unit/cell/fed_messages.h"
 #include "tests/unit/stage_testing.h"
 
 namespace cell {
@@ -22,10 +19,8 @@ namespace {
 class TaughtEpisodesTest : public testing::Test {
  protected:
   template <class M>
-  void Put(const std::string& channel, M message) {
-    message.header.utime = utime_;
-    episodes_.Put(
-        {channel, 0, 0, 0, 0, std::make_shared<Bytes>(Bus::Encode(message))});
+  void Put(const std::string& channel, const M& message) {
+    episodes_.Put(LoggedMessage(channel, message, utime_));
   }
   void Episode(int8_t phase) {
     episode_t message{};
@@ -42,13 +37,7 @@ class TaughtEpisodesTest : public testing::Test {
   void Rest() {
     for (int i = 0; i < 5; ++i) {
       utime_ += 100'000;
-      truth_poses_t truth{};
-      for (const Part& part : task_.parts.parts()) {
-        truth.bodies.push_back(
-            {part.name, PoseToMessage(stage_->PoseOf(part.name))});
-      }
-      truth.num_bodies = static_cast<int32_t>(truth.bodies.size());
-      Put("TRUTH_POSES", truth);
+      Put("TRUTH_POSES", TruthOf(*stage_, task_.parts));
     }
   }
   nlohmann::json Row(size_t episode) const {

@@ -122,6 +122,27 @@ TEST_F(LearningTest, ArmsInsertWhatWasSeatedAtTheSiteThatAPredicateNames) {
   EXPECT_EQ(at_fixed[0].skill_settings, "insertion");
 }
 
+TEST_F(LearningTest, AFirstShowingThatIsARemovalShowsWhatArmsInsert) {
+  stage_.Seat("round_peg_1", "base.round_1");
+  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+  EXPECT_FALSE(shown_) << "it undoes the action that it teaches";
+  const auto records = Store();
+  ASSERT_THAT(records, SizeIs(1));
+  EXPECT_THAT(records[0].agents, testing::ElementsAre("person", "robot"));
+  EXPECT_THAT(records[0].skill, HasSubstr("site: Y"));
+  const auto placed = Seat("round_peg_2", "base.round_2");
+  ASSERT_THAT(placed, SizeIs(1));
+  EXPECT_EQ(placed[0].name, "Action1");
+  EXPECT_EQ(placed[0].direction, ActionDirection::kForward);
+  ASSERT_TRUE(shown_);
+  EXPECT_THAT(shown_->arguments,
+              testing::ElementsAre("round_peg_2", "base.round_2"));
+  const auto removed = Manipulate(
+      "round_peg_2", [&] { stage_.StandAt("round_peg_2", 0.2, -0.4); });
+  ASSERT_THAT(removed, SizeIs(1));
+  EXPECT_EQ(removed[0].direction, ActionDirection::kReversed);
+}
+
 TEST_F(LearningTest, TellsTheObjectsInTheOrderOfTheRecord) {
   Seat("round_peg_1", "base.round_1");
   Store();
@@ -148,9 +169,8 @@ TEST_F(LearningTest, WhatIsTakenBackTellsNoRecord) {
   EXPECT_FALSE(shown_);
 }
 
-TEST_F(LearningTest, WhatEndsAtNoSiteIsLeftToPeople) {
-  stage_.Seat("round_peg_1", "base.round_1");
-  Manipulate("round_peg_1", [&] { stage_.StandAt("round_peg_1", 0.1, -0.4); });
+TEST_F(LearningTest, WhatHasToDoWithNoSiteIsLeftToPeople) {
+  Manipulate("round_peg_1", [&] { stage_.LieAt("round_peg_1", 0.1, -0.4); });
   const auto records = Store();
   ASSERT_THAT(records, SizeIs(1));
   EXPECT_THAT(records[0].agents, testing::ElementsAre("person"));

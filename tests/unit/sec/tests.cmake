@@ -15,3 +15,4 @@ cell_add_test(unit/sec/sec_learner_test.cc LINK cell_recognizer cell_task cell_t
 cell_add_test(unit/sec/learned_library_test.cc LINK cell_recognizer cell_task cell_tracker)
 cell_add_test(unit/sec/role_similarity_test.cc LINK cell_recognizer cell_task cell_tracker)
 cell_add_test(unit/sec/stand_in_proposal_test.cc LINK cell_sec cell_task cell_tracker)
+cell_add_test(unit/sec/library_members_test.cc LINK cell_sec cell_task cell_tracker)

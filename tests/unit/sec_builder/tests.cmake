@@ -4,3 +4,4 @@ cell_add_test(unit/sec_builder/key_frame_extractor_test.cc LINK cell_sec_builder
 cell_add_test(unit/sec_builder/key_frame_emulation_test.cc LINK cell_sec_builder cell_task cell_tracker)
 cell_add_test(unit/sec_builder/proximity_test.cc LINK cell_sec_builder cell_tracker)
 cell_add_test(unit/sec_builder/pose_smoother_test.cc LINK cell_sec_builder)
+cell_add_test(unit/sec_builder/segments_test.cc LINK cell_sec_builder cell_tracker)
