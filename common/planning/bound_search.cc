@@ -12,15 +12,15 @@ constexpr int64_t kExpansionsPerCheck = 4096;
 }  // namespace
 
 bool BoundSearch::IsSpent(const Budget& budget) {
-  if (graph_.num_expansions() >= next_check_) {
-    next_check_ = graph_.num_expansions() + kExpansionsPerCheck;
+  if (graph_.num_expansions() >= memory_.next) {
+    memory_.next = graph_.num_expansions() + kExpansionsPerCheck;
     const auto own =
         static_cast<int64_t>(marks_.capacity() * sizeof(Mark) +
                              tried_in_.capacity() * sizeof(int64_t));
-    is_out_of_memory_ =
+    memory_.is_spent =
         graph_.num_bytes() + bounds_.num_bytes() + own > budget.max_bytes;
   }
-  return is_out_of_memory_ || graph_.num_expansions() >= budget.max_expansions;
+  return memory_.is_spent || graph_.num_expansions() >= budget.max_expansions;
 }
 
 bool BoundSearch::TryExpand(int state, const Budget& budget) {
@@ -59,8 +59,8 @@ bool BoundSearch::Solve(int state, double precision, const Budget& budget,
 void BoundSearch::Save(StateWriter* out) const {
   out->Put(cut_);
   out->Put(pass_);
-  out->Put(next_check_);
-  out->Put(is_out_of_memory_);
+  out->Put(memory_.next);
+  out->Put(memory_.is_spent);
   out->Put(marks_);
   out->Put(tried_in_);
 }
@@ -68,8 +68,8 @@ void BoundSearch::Save(StateWriter* out) const {
 void BoundSearch::Restore(StateReader* in) {
   in->Get(&cut_);
   in->Get(&pass_);
-  in->Get(&next_check_);
-  in->Get(&is_out_of_memory_);
+  in->Get(&memory_.next);
+  in->Get(&memory_.is_spent);
   in->Get(&marks_);
   in->Get(&tried_in_);
   is_restored_ = true;

@@ -51,6 +51,10 @@ class BoundSearch {
     int outcome;
     double reach;  ///< probability of the path that led here
   };
+  struct MemoryCheck {
+    int64_t next = 0;  ///< at so many expansions
+    bool is_spent = false;
+  };
   struct Mark {
     int64_t pass = 0;  ///< in which the others were set
     int number = 0;
@@ -85,8 +89,7 @@ class BoundSearch {
   bool has_changed_ = false;
   int64_t pass_ = 0;
   int num_numbered_ = 0;
-  int64_t next_check_ = 0;
-  bool is_out_of_memory_ = false;
+  MemoryCheck memory_;
   std::vector<Frame> frames_;
   std::vector<int> stack_;
   std::vector<Mark> marks_;

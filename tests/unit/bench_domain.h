@@ -14,16 +14,34 @@
 
 namespace cell {
 
-// Two bolts and a lid over them; the right arm inserts, the left hands over.
-inline constexpr char kBench[] = R"yaml(
-types: {part: object, bolt: part, lid: part, hole: object, arm: object}
-constants: {bolt_1: bolt, bolt_2: bolt, lid: lid, hole_1: hole, hole_2: hole,
-            top: object, left: arm, right: arm}
+// What every bench has: its types and predicates, and how the left arm hands a
+// part over.
+inline const std::string kBenchTypes =
+    "types: {part: object, bolt: part, lid: part, hole: object, arm: object}\n";
+inline const std::string kBenchPredicates = R"yaml(
 predicates:
   Held: {arguments: [part, arm], reported: held}
   Reachable: {arguments: [arm, part], reported: reachable}
   In: {arguments: [bolt, hole]}
   Closed: {arguments: [lid]}
+)yaml";
+inline const std::string kPresentOfBench = R"yaml(
+  Present:
+    arguments: {X: part}
+    agents: [robot]
+    skill: {name: present, part: X, arm: left}
+    rules:
+      - context: ["Reachable(left, X)", "not Held(_, left)",
+                  "not Reachable(right, X)"]
+        outcomes: [{probability: 0.9, effects: ["Reachable(right, X)"]}]
+        noise: 0.1
+)yaml";
+
+// Two bolts and a lid over them; the right arm inserts, the left hands over.
+inline const std::string kBench = kBenchTypes + R"yaml(
+constants: {bolt_1: bolt, bolt_2: bolt, lid: lid, hole_1: hole, hole_2: hole,
+            top: object, left: arm, right: arm}
+)yaml" + kBenchPredicates + R"yaml(
 actions:
   Insert:
     arguments: {X: bolt, Y: hole}
@@ -43,15 +61,7 @@ actions:
       - context: ["In(_, hole_1)", "In(_, hole_2)", not Closed(X)]
         outcomes: [{probability: 0.9, effects: [Closed(X)]}]
         noise: 0.1
-  Present:
-    arguments: {X: part}
-    agents: [robot]
-    skill: {name: present, part: X, arm: left}
-    rules:
-      - context: ["Reachable(left, X)", "not Held(_, left)",
-                  "not Reachable(right, X)"]
-        outcomes: [{probability: 0.9, effects: ["Reachable(right, X)"]}]
-        noise: 0.1
+)yaml" + kPresentOfBench + R"yaml(
   PutDown:
     arguments: {X: part, A: arm}
     agents: [robot]

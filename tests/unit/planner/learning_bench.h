@@ -12,15 +12,10 @@
 namespace cell {
 
 // The bench whose Insert and Close nobody has shown yet.
-inline constexpr char kUnlearnedBench[] = R"yaml(
-types: {part: object, bolt: part, lid: part, hole: object, arm: object}
+inline const std::string kUnlearnedBench = kBenchTypes + R"yaml(
 constants: {bolt_1: bolt, bolt_2: bolt, bolt_3: bolt, lid: lid, box.hole_1: hole,
             box.hole_2: hole, box.top: object, left: arm, right: arm}
-predicates:
-  Held: {arguments: [part, arm], reported: held}
-  Reachable: {arguments: [arm, part], reported: reachable}
-  In: {arguments: [bolt, hole]}
-  Closed: {arguments: [lid]}
+)yaml" + kBenchPredicates + R"yaml(
   Clear: {arguments: [part]}
 actions:
   Insert:
@@ -29,15 +24,7 @@ actions:
   Close:
     arguments: {X: lid}
     skill: {name: insert, part: X, site: box.top, arm: right}
-  Present:
-    arguments: {X: part}
-    agents: [robot]
-    skill: {name: present, part: X, arm: left}
-    rules:
-      - context: ["Reachable(left, X)", "not Held(_, left)",
-                  "not Reachable(right, X)"]
-        outcomes: [{probability: 0.9, effects: ["Reachable(right, X)"]}]
-        noise: 0.1
+)yaml" + kPresentOfBench + R"yaml(
 goals:
   done: ["In(_, box.hole_1)", "In(_, box.hole_2)", Closed(lid)]
 )yaml";

@@ -43,6 +43,7 @@ const std::set<std::string> kAdapters = {
     "services/cell/commands/prepare.cc",       // when a session begins
     "services/cell/commands/rules_files.cc",   // rules and experiences
     "services/cell/commands/record.cc",        // listens until it is stopped
+    "services/cell/commands/search_file.cc",   // keeps a search for a plan
     "services/cell/commands/types.cc",         // writes texts of types
     "services/cell/evaluations/job_pool.cc",   // processes of an evaluation
     "services/cell/evaluations/row_store.cc",  // rows of an evaluation
