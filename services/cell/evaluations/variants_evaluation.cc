@@ -43,14 +43,13 @@ class VariantsEvaluation final : public Evaluation {
   }
 
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
-    return {
-        RunsOf(rows, kVariants, "runs with a complete assembly",
-               [](const json& row) {
-                 return row.at("complete") && row.at("state") == "done";
-               }),
-        RunsOf(rows, kVariants, "runs without a breach of limits",
-               HasKeptLimits),
-        RunsOf(rows, kVariants, "runs without a collision", HasHitNothing)};
+    return {RunsOf(rows, kVariants, "runs with a complete assembly",
+                   [](const json& row) {
+                     return row.at("complete") && row.at("state") == "done";
+                   }),
+            RunsOf(rows, kVariants, "runs without a breach of limits",
+                   HasKeptLimits),
+            RunsOf(rows, kVariants, "runs without a collision", HasHitNothing)};
   }
 
   /// Of each variant: the parts that a person had to help with.

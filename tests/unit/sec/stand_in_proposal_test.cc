@@ -16,22 +16,20 @@ using testing::IsEmpty;
 
 /// Only the shaft was ever shown to be put into a round hole.
 class StandInProposal : public testing::Test {
-protected:
+ protected:
   StandInProposal() {
-    for (const ActionModel &model : task_.actions) {
-      if (!model.sec)
-        continue;
+    for (const ActionModel& model : task_.actions) {
+      if (!model.sec) continue;
       all_.push_back(*model.sec);
-      if (model.action.name == "PlaceRoundPeg")
-        place_ = all_.size() - 1;
+      if (model.action.name == "PlaceRoundPeg") place_ = all_.size() - 1;
     }
     all_[place_].roles[0].type = *vocabulary().types().Find("shaft");
   }
-  const Vocabulary &vocabulary() const { return task_.domain.vocabulary(); }
-  int Object(const std::string &name) const {
+  const Vocabulary& vocabulary() const { return task_.domain.vocabulary(); }
+  int Object(const std::string& name) const {
     return vocabulary().FindObject(name).value();
   }
-  std::vector<std::string> ProposedFor(const std::string &hole) const {
+  std::vector<std::string> ProposedFor(const std::string& hole) const {
     std::vector<std::string> names;
     for (const int object :
          ProposeStandIns(all_[place_], all_, {Object("shaft"), Object(hole)},
@@ -40,10 +38,9 @@ protected:
     }
     return names;
   }
-  void MakeTrue(const std::string &atom) {
+  void MakeTrue(const std::string& atom) {
     for (int i = 0; i < state_.num_atoms(); ++i) {
-      if (vocabulary().AtomName(i) == atom)
-        state_.Set(i, Truth::kTrue);
+      if (vocabulary().AtomName(i) == atom) state_.Set(i, Truth::kTrue);
     }
   }
 
@@ -69,5 +66,5 @@ TEST_F(StandInProposal, IsNothingThatHasAnActionOfItsOwn) {
   EXPECT_THAT(ProposedFor("base.round_1"), IsEmpty());
 }
 
-} // namespace
-} // namespace cell
+}  // namespace
+}  // namespace cell
