@@ -8,22 +8,21 @@ namespace cell {
 namespace {
 
 /// The static relations of the model hold with these objects in its roles.
-bool Fits(const LearnedModel &model, const Binding &objects,
-          const Vocabulary &vocabulary) {
+bool Fits(const LearnedModel& model, const Binding& objects,
+          const Vocabulary& vocabulary) {
   const State nothing(vocabulary.num_atoms());
-  return std::ranges::all_of(model.pick.where, [&](const Literal &literal) {
+  return std::ranges::all_of(model.pick.where, [&](const Literal& literal) {
     return !literal.is_static || MayHold(literal, objects, nothing, vocabulary);
   });
 }
 
 /// What must not be so before the pick-up is not so, with whatever in the other
 /// roles: a part that is placed somewhere else is in use.
-bool IsUnused(const LearnedModel &model, const Binding &objects,
-              const State &state, const Vocabulary &vocabulary) {
+bool IsUnused(const LearnedModel& model, const Binding& objects,
+              const State& state, const Vocabulary& vocabulary) {
   return std::ranges::all_of(model.RequiredLiterals(), [&](Literal literal) {
-    if (!literal.is_negated)
-      return true;
-    for (Term &term : literal.terms) {
+    if (!literal.is_negated) return true;
+    for (Term& term : literal.terms) {
       if (term.kind == Term::Kind::kVariable &&
           static_cast<size_t>(term.index) != model.moved) {
         term = {Term::Kind::kAny, 0};
@@ -33,12 +32,12 @@ bool IsUnused(const LearnedModel &model, const Binding &objects,
   });
 }
 
-} // namespace
+}  // namespace
 
-std::vector<int> ProposeStandIns(const LearnedModel &model,
+std::vector<int> ProposeStandIns(const LearnedModel& model,
                                  std::span<const LearnedModel> all,
-                                 const Binding &usual, const State &state,
-                                 const Vocabulary &vocabulary) {
+                                 const Binding& usual, const State& state,
+                                 const Vocabulary& vocabulary) {
   std::vector<int> proposed;
   for (const int object : StandIns(model, all, vocabulary)) {
     Binding objects = usual;
@@ -51,4 +50,4 @@ std::vector<int> ProposeStandIns(const LearnedModel &model,
   return proposed;
 }
 
-} // namespace cell
+}  // namespace cell
