@@ -30,6 +30,7 @@ const std::set<std::string> kAdapters = {
     "common/recordings/recording_file.cc",     // reads recordings
     "common/rendering/bands.cc",               // rows on all cores
     "common/task/learned_rules.cc",            // reads learned rules
+    "common/task/shipped_experiences.cc",      // and what they are learned from
     "common/text/printable_output.cc",         // what main() prints through
     "common/text/printable_output.h",          //
     "common/text/terminal.cc",                 // the screen of the person
