@@ -154,8 +154,8 @@ void DrawHistogram(const LibraryFigure& figure, int top, Canvas* canvas) {
     canvas->Rectangle(x, bottom - of_two - of_one, kBarWidth - 2, of_one,
                       kOfOneColour);
     if (bin % 4 == 0) {
-      canvas->CentredText(
-          x + kBarWidth / 2, bottom + kLine / 2,
+      canvas->Text(
+          x, bottom + kLine / 2,
           fmt::format("{:.1f}", static_cast<double>(bin) / histogram.kNumBins));
     }
   }
