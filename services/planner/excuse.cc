@@ -1,6 +1,7 @@
 #include "services/planner/excuse.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,9 @@ namespace {
 
 /// Sets of changes that are tried at most: a question must not take long.
 constexpr int64_t kMaxTrials = 300;
+/// Equally small ones that are compared by their plans.
+constexpr int kMaxExcuses = 8;
+constexpr double kSameProbability = 1e-6;
 /// Of more changes a person would not be asked at once.
 constexpr int kMaxChanges = 24;
 
@@ -94,23 +98,52 @@ planning::GroundTask TaskFrom(const Problem& problem, const State& state) {
   return std::move(rules.task);
 }
 
-/// The atoms of the best excuse; empty if there is none.
-std::vector<int> BestExcuse(const planning::GroundTask& task,
-                            const std::vector<bool>& is_constant,
-                            const Problem& problem, bool with_undoing) {
-  planning::ExcuseOptions options{
-      .max_changes = kMaxChanges, .max_excuses = 1, .max_trials = kMaxTrials};
+/// The atoms of each of the best excuses, which are equally small.
+std::vector<std::vector<int>> SmallestExcuses(
+    const planning::GroundTask& task, const std::vector<bool>& is_constant,
+    const Problem& problem, bool with_undoing) {
+  planning::ExcuseOptions options{.max_changes = kMaxChanges,
+                                  .max_excuses = kMaxExcuses,
+                                  .max_trials = kMaxTrials};
   options.may_change = [&](const planning::Literal& change) {
     return is_constant[static_cast<size_t>(change.atom)] &&
            MayAskFor(change, problem, with_undoing);
   };
-  std::vector<int> atoms;
+  std::vector<std::vector<int>> excuses;
   for (const auto& excuse : planning::FindExcuses(task, options).excuses) {
+    std::vector<int>& atoms = excuses.emplace_back();
     for (const auto& change : excuse.changes) {
       atoms.push_back(change.literal.atom);
     }
   }
-  return atoms;
+  return excuses;
+}
+
+/// The changes that are asked for, and the plan after them.
+struct Remedy {
+  std::vector<int> atoms;
+  Plan plan;
+};
+
+/// Of equally small excuses the one with the best plan, the first of several:
+/// it says what the next steps need, not what a way round needs.
+Remedy BestRemedy(const std::vector<std::vector<int>>& excuses,
+                  const State& here,
+                  const std::function<Plan(const State&)>& solve) {
+  const auto is_better = [](const Plan& a, const Plan& b) {
+    if (std::abs(a.probability - b.probability) > kSameProbability) {
+      return a.probability > b.probability;
+    }
+    return a.expected_actions < b.expected_actions;
+  };
+  Remedy best;
+  for (const std::vector<int>& atoms : excuses) {
+    Plan plan = solve(Flipped(here, atoms));
+    if (best.atoms.empty() || is_better(plan, best.plan)) {
+      best = {atoms, std::move(plan)};
+    }
+  }
+  return best;
 }
 
 /// The goal's literals that fail in the one of the states where fewest do.
@@ -171,17 +204,19 @@ Excuse ExplainNoPlan(const Problem& problem, const StateSpace& space, int state,
       "cannot be reached: " + MissingLiterals(space, states, problem.goal), {}};
   const std::vector<bool> is_constant = ConstantAtoms(space, states);
   const planning::GroundTask task = TaskFrom(problem, here);
-  std::vector<int> excuse = BestExcuse(task, is_constant, problem, false);
-  if (excuse.empty()) excuse = BestExcuse(task, is_constant, problem, true);
-  if (excuse.empty()) {
+  auto excuses = SmallestExcuses(task, is_constant, problem, false);
+  if (excuses.empty()) {
+    excuses = SmallestExcuses(task, is_constant, problem, true);
+  }
+  if (excuses.empty()) {
     because.text += "; no action leads there";
     return because;
   }
   // The space may be filled anew.
-  const std::vector<PlanStep> steps = solve(Flipped(here, excuse)).steps;
-  for (const int atom : excuse) {
-    const auto needed_by =
-        StepThatNeeds(*problem.rules, problem.agent, here, atom, steps);
+  const Remedy remedy = BestRemedy(excuses, here, solve);
+  for (const int atom : remedy.atoms) {
+    const auto needed_by = StepThatNeeds(*problem.rules, problem.agent, here,
+                                         atom, remedy.plan.steps);
     const std::string why = Complaint(*problem.rules, here, atom, needed_by);
     because.text += "; " + why;
     because.needed.push_back({atom, Opposite(here.Get(atom)), why, needed_by});

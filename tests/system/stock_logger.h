@@ -15,7 +15,8 @@ inline ShellResult RunBesideLcmLogger(const std::filesystem::path& dir,
   std::ofstream(dir / "run") << R"(
 ip link set lo up && ip route add 224.0.0.0/4 dev lo
 mkdir own
-lcm-logger --lcm-url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304' -q stock &
+# Nobody waits for it, and it loses what it has no time to read: it comes first.
+nice -n -15 lcm-logger --lcm-url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304' -q stock &
 logger=$!
 until grep -q :1DF3 /proc/net/udp; do :; done
 pids=

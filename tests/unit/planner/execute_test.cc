@@ -463,7 +463,7 @@ TEST_F(Bench, AsksForExactlyThePartThatIsOutOfReachAndGoesOnWhenItIsThere) {
             "lid is out of reach of both arms: please move it into reach");
   ASSERT_EQ(told_.back().needed.size(), 1u);
   EXPECT_EQ(bench_.rules->vocabulary().AtomName(told_.back().needed[0].atom),
-            "Reachable(left, lid)");
+            "Reachable(right, lid)");
   const size_t num_told = told_.size();
   Step(100);
   EXPECT_EQ(told_.size(), num_told);  // asked once
