@@ -42,7 +42,8 @@ if(TARGET spy_jar)
 endif()
 cell_add_test(system/library_kill_test.cc LINK cell_library TIMEOUT 300)
 cell_add_test(system/library_death_test.cc
-  LINK cell_cli cell_library cell_recorder cell_tracker Threads::Threads)
+  LINK cell_cli cell_library cell_recorder cell_tracker Threads::Threads
+  TIMEOUT 600)
 add_dependencies(library_death_test library)
 cell_add_test(system/library_command_test.cc
   LINK cell_library cell_tracker TIMEOUT 300)
