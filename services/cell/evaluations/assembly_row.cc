@@ -61,16 +61,9 @@ void AddRecord(const AssemblyObserver::Record& record, json* row) {
 /// Parts that a person touched, and parts that the cell's last message names.
 void AddParts(const AssemblyObserver::Record& record, const PartTable& parts,
               json* row) {
-  std::string words = record.execution ? record.execution->text : "";
-  std::ranges::replace_if(
-      words, [](char c) { return !std::isalnum(c) && c != '_'; }, ' ');
-  std::istringstream stream(words);
-  std::set<std::string> named;
-  for (std::string word; stream >> word;) {
-    if (parts.Find(word) != nullptr) named.insert(word);
-  }
   (*row)["touched"] = record.touched;
-  (*row)["named"] = named;
+  (*row)["named"] =
+      PartsNamedIn(record.execution ? record.execution->text : "", parts);
 }
 
 void AddViolations(const MotionCheck& check, json* row) {
@@ -92,6 +85,19 @@ void AddViolations(const MotionCheck& check, json* row) {
 }
 
 }  // namespace
+
+std::set<std::string> PartsNamedIn(std::string text, const PartTable& parts) {
+  std::ranges::replace_if(
+      text, [](char c) { return !std::isalnum(c) && c != '_' && c != '.'; },
+      ' ');
+  std::istringstream words(text);
+  std::set<std::string> named;
+  for (std::string word; words >> word;) {
+    word.erase(word.find_last_not_of('.') + 1);
+    if (parts.Find(word) != nullptr) named.insert(word);
+  }
+  return named;
+}
 
 json RunAssembly(const std::string& script, uint64_t seed,
                  const Deployment& deployment, const Roster& roster,

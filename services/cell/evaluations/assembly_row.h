@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "common/bus/roster.h"
@@ -28,6 +29,10 @@ nlohmann::json RunAssembly(const std::string& script, uint64_t seed,
                            const Deployment& deployment, const Roster& roster,
                            const Intervention& intervene = {},
                            const std::string& goal = "");
+
+/// The parts that a text is about. A site, such as host.hole, is a word of its
+/// own and does not name its host.
+std::set<std::string> PartsNamedIn(std::string text, const PartTable& parts);
 
 /// What such a row says of an assembly that was observed and checked.
 /// @pre there were enough poses for a score.

@@ -1,4 +1,5 @@
 cell_add_test(unit/cell/success_criterion_test.cc LINK cell_cli cell_sec cell_tracker)
+cell_add_test(unit/cell/assembly_row_test.cc LINK cell_cli cell_vtb cell_sec)
 cell_add_test(unit/cell/assembly_score_test.cc LINK cell_cli cell_vtb cell_sec)
 cell_add_test(unit/cell/motion_check_test.cc LINK cell_cli cell_arms cell_geometry cell_sec cell_tracker)
 cell_add_test(unit/cell/assembly_observer_test.cc LINK cell_cli cell_vtb cell_geometry cell_sec cell_tracker)
