@@ -112,9 +112,12 @@ class AlarmsEvaluation final : public Evaluation {
                         row.at("errors_due") == 0 && row.at("actions") > 0 &&
                         IsFaultless(row);
                }),
-        RunsOf(rows, kDeviation, "runs with all warned, and no other alarm",
+        // What was to be a deviation may jam, and then is a dead end.
+        RunsOf(rows, kDeviation, "runs with all told, and no other alarm",
                [](const json& row) {
-                 return row.at("warnings_due") > 0 && IsFaultless(row);
+                 return (row.at("warnings_due") > 0 ||
+                         row.at("errors_due") > 0) &&
+                        IsFaultless(row);
                }),
         RunsOf(rows, kDeadEnd, "runs with an error, and no other alarm",
                [](const json& row) {
