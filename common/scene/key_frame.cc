@@ -43,11 +43,9 @@ bool RelationsFromMessage(const key_frame_t& message,
       if (r.first != (*names)[i] || r.second != (*names)[j] || !relation) {
         return false;
       }
-      const bool is_of_segment =
-          IsSegmentName(r.first) || IsSegmentName(r.second);
-      TouchGraph& graph =
-          is_of_segment ? frame.segment_relations : frame.relations;
-      graph.emplace_hint(graph.end(), ObjectPair{r.first, r.second}, *relation);
+      const ObjectPair pair{r.first, r.second};
+      TouchGraph& graph = RelationsWith(pair, &frame);
+      graph.emplace_hint(graph.end(), pair, *relation);
     }
   }
   return true;
@@ -106,6 +104,12 @@ relative_pose_t RelativePoseToMessage(const ObjectPair& pair,
 }
 
 }  // namespace
+
+TouchGraph& RelationsWith(const ObjectPair& pair, KeyFrame* frame) {
+  return IsSegmentName(pair.first) || IsSegmentName(pair.second)
+             ? frame->segment_relations
+             : frame->relations;
+}
 
 std::optional<KeyFrame> KeyFrameFromMessage(const key_frame_t& message,
                                             const SceneObjects& scene_objects) {

@@ -36,6 +36,9 @@ struct KeyFrame {
   TouchGraph segment_relations = {};
 };
 
+/// The relations of the frame among which those of such a pair are.
+TouchGraph& RelationsWith(const ObjectPair& pair, KeyFrame* frame);
+
 /// Nothing unless the message has all pairs of the scene's objects and of any
 /// segments, each with a known relation, poses of parts, and relative poses of
 /// pairs that touch, all in order, and a segment that ends with it.

@@ -13,24 +13,20 @@
 #include "common/task/learned_rules.h"
 
 namespace cell {
-namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kFolder[] = "experiences";
-constexpr char kEnding[] = ".experiences";
-
-std::vector<fs::path> ExperienceFiles(const fs::path& folder) {
+std::vector<fs::path> ExperienceFilesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == kEnding) files.push_back(entry.path());
+    if (entry.path().extension() == ".experiences") {
+      files.push_back(entry.path());
+    }
   }
   std::ranges::sort(files);
   return files;
 }
-
-}  // namespace
 
 std::vector<TaskExperience> ReadShippedExperiences(const Deployment& deployment,
                                                    const Domain& domain) try {
@@ -39,11 +35,12 @@ std::vector<TaskExperience> ReadShippedExperiences(const Deployment& deployment,
   if (!config.Has(kLearnedRulesKey)) return experiences;
   const RuleWorld world(std::make_shared<const Vocabulary>(domain.vocabulary()),
                         domain.actions());
-  for (const fs::path& path : ExperienceFiles(deployment.task_dir / kFolder)) {
+  for (const fs::path& path :
+       ExperienceFilesIn(deployment.task_dir / kExperiencesFolder)) {
     std::stringstream text;
     text << std::ifstream(path).rdbuf();
     const std::string name =
-        std::string(kFolder) + "/" + path.filename().string();
+        std::string(kExperiencesFolder) + "/" + path.filename().string();
     for (const auto& e : ReadExperiences(text.str(), name, world)) {
       const GroundAction action = world.FromWorld(e.act);
       experiences.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "common/config/deployment.h"
@@ -7,6 +8,14 @@
 #include "common/relational/domain.h"
 
 namespace cell {
+
+/// Folder of a task that holds the experiences which it ships with.
+inline constexpr char kExperiencesFolder[] = "experiences";
+
+/// All files *.experiences of the folder, by their names; none if there is no
+/// such folder.
+std::vector<std::filesystem::path> ExperienceFilesIn(
+    const std::filesystem::path& folder);
 
 /// The experiences that the task's learned rules were learned from: those of
 /// experiences/*.experiences in its folder, in the order of the files' names.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <vector>
 
 #include "common/sec/stand_in_proposal.h"
@@ -57,12 +58,11 @@ bool IsAtHand(int other, int part, const ExecutionStatus& question,
       });
 }
 
+/// @param all  the models without their names
 std::vector<int> StandInsFor(const MissingPart& part, const SecModels& models,
+                             std::span<const LearnedModel> all,
                              const RuleSet& rules, const State& state,
                              const ExecutionStatus& question) {
-  std::vector<LearnedModel> all;
-  std::ranges::transform(models, std::back_inserter(all),
-                         [](const auto& named) { return named.second; });
   std::vector<int> objects =
       ProposeStandIns(models.at(rules.ActionOf(part.action).name), all,
                       part.action.arguments, state, rules.vocabulary());
@@ -84,9 +84,15 @@ bool AsksOnlyFor(int object, const ExecutionStatus& question,
 void OfferStandIns(const SecModels& models, const RuleSet& rules,
                    const State& state, ExecutionStatus* question) {
   const Vocabulary& vocabulary = rules.vocabulary();
-  for (const MissingPart& part : MissingParts(models, rules, *question)) {
+  const std::vector<MissingPart> parts = MissingParts(models, rules, *question);
+  std::vector<LearnedModel> all;
+  if (!parts.empty()) {
+    std::ranges::transform(models, std::back_inserter(all),
+                           [](const auto& named) { return named.second; });
+  }
+  for (const MissingPart& part : parts) {
     const std::vector<int> objects =
-        StandInsFor(part, models, rules, state, *question);
+        StandInsFor(part, models, all, rules, state, *question);
     if (objects.empty()) continue;
     std::vector<std::string> names;
     for (const int object : objects) {

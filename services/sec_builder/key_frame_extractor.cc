@@ -195,10 +195,7 @@ std::optional<KeyFrame> KeyFrameExtractor::NextKeyFrame(const Tracks& tracks) {
 KeyFrame KeyFrameExtractor::MakeKeyFrame(int64_t utime, const Tracks& tracks) {
   KeyFrame frame{utime, next_index_++, {}, {}};
   for (const auto& [pair, relation] : graph_) {
-    const bool is_of_segment =
-        IsSegmentName(pair.first) || IsSegmentName(pair.second);
-    TouchGraph& part =
-        is_of_segment ? frame.segment_relations : frame.relations;
+    TouchGraph& part = RelationsWith(pair, &frame);
     part.emplace_hint(part.end(), pair, relation);
   }
   for (const Track& track : tracks.tracks) {

@@ -11,6 +11,9 @@ namespace cell::cli {
 /// What main() runs once the arguments are parsed; its exit code.
 using Action = std::function<int()>;
 
+/// Of a file that --out names and that is there already.
+inline constexpr char kAnotherOut[] = "choose another --out or remove it";
+
 /// Adds every command to the command line, in the order of its help.
 void AddAllCommands(CLI::App& app, Action* action);
 

@@ -24,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kAnotherOut[] = "choose another --out or remove it";
-
 struct EvalSecOptions {
   std::string figure;
   int num_classes = 0;

@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kOtherModels[] = "choose another --out or remove it";
 constexpr char kOtherRecordings[] = "choose another --recordings or remove it";
 constexpr int kDecimals = 5;  // [m] a hundredth of a millimetre
 
@@ -67,7 +66,7 @@ int LearnSec(const LearnOptions& options) {
   const fs::path folder = options.recordings.empty()
                               ? deployment.task_dir / kRecordingsFolder
                               : fs::path(options.recordings);
-  if (!options.out.empty()) RequireFree(options.out, kOtherModels);
+  if (!options.out.empty()) RequireFree(options.out, kAnotherOut);
   if (options.is_simulated) Simulate(options, deployment, folder);
   const std::vector<fs::path> files = RecordingsIn(folder);
   if (files.empty()) {
@@ -88,7 +87,7 @@ int LearnSec(const LearnOptions& options) {
   if (options.out.empty()) {
     std::cout << text;
   } else {
-    WriteNewFile(options.out, text, kOtherModels);
+    WriteNewFile(options.out, text, kAnotherOut);
   }
   return 0;
 }

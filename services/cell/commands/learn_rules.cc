@@ -13,10 +13,12 @@
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/rules/rule_text.h"
+#include "common/task/shipped_experiences.h"
 #include "common/text/counted.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/cell/commands/rules_files.h"
+#include "services/cell/commands/rules_learn.h"
 #include "services/cell/learning/library_experiences.h"
 #include "services/cell/learning/run_experiences.h"
 
@@ -24,8 +26,6 @@ namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr char kOtherOut[] = "choose another --out or remove it";
 
 struct LearnRulesOptions {
   std::string deploy_dir;
@@ -56,30 +56,26 @@ Lessons LessonsOfTask(const fs::path& folder, const Domain& domain) {
 
 int LearnRulesOfTask(const LearnRulesOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
-  if (!options.out.empty()) RequireFree(options.out, kOtherOut);
+  if (!options.out.empty()) RequireFree(options.out, kAnotherOut);
   // The rules to be replaced may be of an older domain.
   const Domain domain = LoadTask(deployment, LearnedRules::kLeaveOut).domain;
   const Lessons lessons =
       options.library.empty()
           ? LessonsOfTask(options.experiences.empty()
-                              ? deployment.task_dir / "experiences"
+                              ? deployment.task_dir / kExperiencesFolder
                               : fs::path(options.experiences),
                           domain)
           : LessonsOfLibrary(options.library, domain);
   const rules::NdrRules rules = LearnRules(
       lessons.experiences, GoalPredicates(domain.goals()), lessons.world);
-  std::string text;
-  for (const rules::Rule& rule : rules.rules) {
-    text += "\n" + rules::ToText(rule, *rules.symbols, 2);
-  }
   std::cout << fmt::format(
                    "{}, {}\n",
                    Counted(static_cast<int64_t>(lessons.experiences.size()),
                            "experience"),
                    Counted(static_cast<int64_t>(rules.rules.size()), "rule"))
-            << text;
+            << RulesToShow(rules);
   if (!options.out.empty()) {
-    WriteNewFile(options.out, rules::ToText(rules), kOtherOut);
+    WriteNewFile(options.out, rules::ToText(rules), kAnotherOut);
   }
   return 0;
 }

@@ -20,8 +20,6 @@
 namespace cell::cli {
 namespace {
 
-constexpr char kAnotherFile[] = "choose another --out or remove it";
-
 struct RulesOptions {
   std::string file;
   std::string problem;
@@ -40,7 +38,7 @@ int ExportRules(const RulesOptions& options) {
   if (options.out.empty()) {
     std::cout << PrintableLines(*text);
   } else {
-    WriteNewFile(options.out, *text, kAnotherFile);
+    WriteNewFile(options.out, *text, kAnotherOut);
   }
   return 0;
 }
@@ -55,7 +53,7 @@ int ImportRules(const RulesOptions& options) {
   if (options.out.empty()) {
     std::cout << PrintableLines(text);
   } else {
-    WriteNewFile(options.out, text, kAnotherFile);
+    WriteNewFile(options.out, text, kAnotherOut);
   }
   return 0;
 }

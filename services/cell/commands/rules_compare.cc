@@ -13,6 +13,7 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/task/reference_rules.h"
+#include "common/task/shipped_experiences.h"
 #include "common/text/counted.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/learning/rule_comparison.h"
@@ -55,7 +56,7 @@ Comparison LoadComparison(const CompareOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   const Config reference_file = Config::Load(options.reference);
   const auto folder = options.experiences.empty()
-                          ? deployment.task_dir / "experiences"
+                          ? deployment.task_dir / kExperiencesFolder
                           : std::filesystem::path(options.experiences);
   Comparison comparison{LoadTask(deployment).domain, {}, {}, {}};
   const Domain& domain = comparison.domain;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/node/cell_files.h"
+#include "common/task/shipped_experiences.h"
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
@@ -35,7 +36,7 @@ int Judge(const JudgeOptions& options) {
   const Domain domain = LoadTask(deployment).domain;
   const RuleWorld world = RuleWorldOf(domain);
   const fs::path folder = options.experiences.empty()
-                              ? deployment.task_dir / "experiences"
+                              ? deployment.task_dir / kExperiencesFolder
                               : fs::path(options.experiences);
   const Goal& goal = NamedGoal(domain, options.goal);
   std::vector<rules::Experience> experiences;

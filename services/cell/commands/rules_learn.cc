@@ -27,8 +27,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr char kAnotherRulesFile[] = "choose another --out or remove it";
-
 struct RulesLearnOptions {
   std::string data;
   std::string symbols;
@@ -106,7 +104,7 @@ Learned LearnInRows(const RulesLearnOptions& options,
 }
 
 int LearnRules(const RulesLearnOptions& options) {
-  if (!options.out.empty()) RequireFree(options.out, kAnotherRulesFile);
+  if (!options.out.empty()) RequireFree(options.out, kAnotherOut);
   const rules::ExperienceSet set =
       LoadExperiences(options.data, options.symbols);
   const Learned learned = options.rows_file.empty()
@@ -119,7 +117,7 @@ int LearnRules(const RulesLearnOptions& options) {
       learned.score);
   std::cout << PrintableLines(RulesToShow(learned.rules));
   if (!options.out.empty()) {
-    WriteNewFile(options.out, rules::ToText(learned.rules), kAnotherRulesFile);
+    WriteNewFile(options.out, rules::ToText(learned.rules), kAnotherOut);
   }
   return 0;
 }

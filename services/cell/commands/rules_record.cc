@@ -27,8 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kFreeOut[] = "choose another --out or remove it";
-
 struct RecordOptions {
   std::vector<std::string> runs;
   std::vector<std::string> scripts;
@@ -60,7 +58,7 @@ class ExperienceWriter {
   }
 
   void Write(const std::string& out) const {
-    WriteNewFile(out, text_, kFreeOut);
+    WriteNewFile(out, text_, kAnotherOut);
     for (const auto& [action, counts] : counts_) {
       std::cout << fmt::format("{}: {}, {} without a change\n", action,
                                Counted(counts.all, "experience"),
@@ -108,7 +106,7 @@ void AddOfLibrary(const RecordOptions& options, ExperienceWriter* writer) {
 }
 
 int RecordExperiences(const RecordOptions& options) {
-  RequireFree(options.out, kFreeOut);
+  RequireFree(options.out, kAnotherOut);
   if (options.runs.empty() && options.scripts.empty() &&
       options.library.empty()) {
     throw std::runtime_error(

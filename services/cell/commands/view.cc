@@ -66,8 +66,6 @@ M MessageAt(const RunFolder& run, const std::string& channel,
   return *last;
 }
 
-constexpr char kAnotherOut[] = "choose another --out or remove it";
-
 int ViewScene(const RunFolder& run, const ViewOptions& options) {
   const auto poses = MessageAt<truth_poses_t>(run, "TRUTH_POSES", options.at_s);
   Draft draft(options.out);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "common/task/shipped_experiences.h"
 #include "common/task/task.h"
 #include "services/cell/evaluations/row_measures.h"
 #include "services/cell/learning/experienced_episodes.h"
@@ -57,7 +58,7 @@ class SufficientEvaluation final : public Evaluation {
     const Domain domain = LoadTask(deployment).domain;
     const RuleWorld world = RuleWorldOf(domain);
     const Sequence shown =
-        Draw(EpisodesIn(deployment.task_dir / "experiences", world), world,
+        Draw(EpisodesIn(deployment.task_dir / kExperiencesFolder, world), world,
              trial.seed);
     const auto rules = LearnedRuleSet(shown.experiences, domain.goals(), world);
     const Goal& goal = domain.goals().front();

@@ -1,31 +1,16 @@
 #include "services/cell/learning/experienced_episodes.h"
 
-#include <algorithm>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "common/experiences/experience_text.h"
+#include "common/task/shipped_experiences.h"
 
 namespace cell::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr char kEnding[] = ".experiences";
-
-std::vector<fs::path> FilesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == kEnding) files.push_back(entry.path());
-    }
-  }
-  std::ranges::sort(files);
-  return files;
-}
 
 /// Reads the lines below one heading. The lines before it are empty, so that
 /// errors name the line of the file.
@@ -61,12 +46,13 @@ void AddEpisodes(const fs::path& file, const RuleWorld& world,
 std::vector<ExperiencedEpisode> EpisodesIn(const fs::path& folder,
                                            const RuleWorld& world) {
   std::vector<ExperiencedEpisode> episodes;
-  for (const fs::path& file : FilesIn(folder)) {
+  for (const fs::path& file : ExperienceFilesIn(folder)) {
     AddEpisodes(file, world, &episodes);
   }
   if (episodes.empty()) {
-    throw std::runtime_error(folder.string() + ": has no experiences (*" +
-                             kEnding + "); cell rules record makes them");
+    throw std::runtime_error(folder.string() +
+                             ": has no experiences (*.experiences); cell rules "
+                             "record makes them");
   }
   return episodes;
 }

@@ -22,15 +22,12 @@ TrueProgress::TrueProgress(const vtb::Demonstrations& demonstrations,
 }
 
 void TrueProgress::Update(const truth_action_t& action) {
+  outside_.erase(action.part);
+  jammed_.erase(action.part);
   if (action.mistake == truth_action_t::OUT_OF_WORKSPACE) {
     outside_.insert(action.part);
-  } else {
-    outside_.erase(action.part);
-  }
-  if (action.mistake == truth_action_t::NOT_SEATED) {
+  } else if (action.mistake == truth_action_t::NOT_SEATED) {
     jammed_.insert(action.part);
-  } else {
-    jammed_.erase(action.part);
   }
   if (action.kind == truth_action_t::TIPPED &&
       !lying_.insert(action.part).second) {

@@ -106,6 +106,10 @@ class RobotPlanner : public testing::Test {
     put("PlacePendulum", {"pendulum"});
     put("ScrewHead", {"head"});
   }
+  void PutOutOfReach(const std::string& part) {
+    std::erase(right_.reachable, part);
+    --right_.num_reachable;
+  }
   arm_report_t& Arm(const std::string& name) {
     return name == "left" ? left_ : right_;
   }
@@ -244,8 +248,7 @@ TEST_F(RobotPlanner, ARestartGoesOnWithoutDoingAnythingTwice) {
 
 TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
   PlaceAllButTheUpperParts();
-  std::erase(right_.reachable, "separator");
-  --right_.num_reachable;
+  PutOutOfReach("separator");
   Start("robot", "assembled");
   Run(kPatienceTicks);
   ASSERT_FALSE(told_.empty());
@@ -266,8 +269,7 @@ TEST_F(RobotPlanner, AsksForThePartThatNoArmReaches) {
 
 TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
   PlaceAllButTheUpperParts();
-  std::erase(right_.reachable, "separator");
-  --right_.num_reachable;
+  PutOutOfReach("separator");
   state_ = cranfield_.With(state_, {"Clear(separator)"}, Truth::kFalse);
   Start("robot", "assembled");
   Run(kPatienceTicks);
@@ -279,8 +281,7 @@ TEST_F(RobotPlanner, AsksForNothingButThePartThatIsFarAway) {
 }
 
 TEST_F(RobotPlanner, AsksToRaiseWhatNoArmCanTakeSinceItLiesDown) {
-  std::erase(right_.reachable, "square_peg_1");
-  --right_.num_reachable;
+  PutOutOfReach("square_peg_1");
   PlaceAllButTheUpperParts({"square_peg_1"});
   state_ = cranfield_.With(state_, {"Horizontal(square_peg_1)"});
   Start("robot", "assembled");

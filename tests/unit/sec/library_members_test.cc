@@ -4,23 +4,16 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <memory>
 
-#include "common/sec/chain_similarities.h"
-#include "tests/unit/stage_testing.h"
+#include "tests/unit/sec/shown_library.h"
 
 namespace cell {
 namespace {
 
 using testing::IsEmpty;
 
-class LibraryMembersTest : public testing::Test {
+class LibraryMembersTest : public ShownLibrary {
  protected:
-  LibraryMembersTest() {
-    for (const ActionModel& model : task_.actions) {
-      if (model.sec) models_.emplace(model.action.name, *model.sec);
-    }
-  }
   LibraryMembers Compare() const {
     return CompareMembers(models_, words_, *chains_);
   }
@@ -28,12 +21,6 @@ class LibraryMembersTest : public testing::Test {
     return static_cast<size_t>(
         std::distance(models_.begin(), models_.find(name)));
   }
-
-  const ShippedTask task_;
-  const SceneWords words_{task_.domain.vocabulary(), task_.parts};
-  const std::unique_ptr<ChainSimilarity> chains_ =
-      MakeChainSimilarity("same_row");
-  RoleSimilarity::Models models_;
 };
 
 TEST_F(LibraryMembersTest, AreAllContributionsInTheOrderOfTheModels) {

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "common/sec/chain_similarities.h"
-#include "tests/unit/stage_testing.h"
+#include "tests/unit/sec/shown_library.h"
 
 namespace cell {
 namespace {
@@ -13,13 +12,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class RoleSimilarityTest : public testing::Test {
+class RoleSimilarityTest : public ShownLibrary {
  protected:
-  RoleSimilarityTest() {
-    for (const ActionModel& model : task_.actions) {
-      if (model.sec) models_.emplace(model.action.name, *model.sec);
-    }
-  }
   RoleSimilarity Roles() const { return {models_, words_, *chains_}; }
   double OfTypes(const std::string& a, const std::string& b) const {
     const auto types = Roles().Types();
@@ -30,12 +24,6 @@ class RoleSimilarityTest : public testing::Test {
     };
     return Roles().OfTypes()[place(a)][place(b)];
   }
-
-  const ShippedTask task_;
-  const SceneWords words_{task_.domain.vocabulary(), task_.parts};
-  const std::unique_ptr<ChainSimilarity> chains_ =
-      MakeChainSimilarity("same_row");
-  RoleSimilarity::Models models_;
 };
 
 TEST_F(RoleSimilarityTest, IsSymmetricAndOneWithItself) {
