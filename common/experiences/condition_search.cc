@@ -18,7 +18,7 @@ ConditionSearch::ConditionSearch(
     const std::vector<BoundExperience>& experiences,
     const rules::Literal& change, const std::vector<rules::Literal>& candidates,
     std::span<const int> landmarks, const VariableTypes& types,
-    const QuantifiedAtoms& atoms, const rules::World& world)
+    const rules::QuantifiedAtoms& atoms, const rules::World& world)
     : experiences_(experiences),
       change_(change),
       types_(types),

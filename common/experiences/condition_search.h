@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "common/experiences/quantified_atoms.h"
 #include "common/experiences/variable_types.h"
 #include "common/rules/experience.h"
 #include "common/rules/learning/bit_set.h"
+#include "common/rules/quantified_atoms.h"
 #include "common/rules/rule.h"
 
 namespace cell {
@@ -44,7 +44,8 @@ class ConditionSearch {
                   const rules::Literal& change,
                   const std::vector<rules::Literal>& candidates,
                   std::span<const int> landmarks, const VariableTypes& types,
-                  const QuantifiedAtoms& atoms, const rules::World& world);
+                  const rules::QuantifiedAtoms& atoms,
+                  const rules::World& world);
 
   /// Each is a conjunction; the change happens where one of them holds.
   std::vector<std::vector<rules::Literal>> Run();
@@ -93,7 +94,7 @@ class ConditionSearch {
   const std::vector<BoundExperience>& experiences_;
   const rules::Literal& change_;
   const VariableTypes& types_;
-  const QuantifiedAtoms& atoms_;
+  const rules::QuantifiedAtoms& atoms_;
   const rules::World& world_;
   std::vector<Example> examples_;
   rules::BitSet positive_;

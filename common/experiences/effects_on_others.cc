@@ -83,7 +83,7 @@ std::vector<rules::Literal> PossibleChanges(const rules::Rule& rule,
 std::vector<BoundExperience> ExplainedBy(
     const rules::Outcome& outcome, const rules::Rule& rule,
     std::span<const rules::Experience> experiences,
-    const QuantifiedAtoms& atoms, const RuleWorld& world) {
+    const rules::QuantifiedAtoms& atoms, const RuleWorld& world) {
   std::vector<BoundExperience> explained;
   for (const rules::Experience& e : experiences) {
     if (e.act.action != rule.action) continue;
@@ -104,7 +104,7 @@ std::vector<BoundExperience> ExplainedBy(
 void AddEffectsOnOthers(std::span<const rules::Experience> experiences,
                         std::span<const int> landmarks, const RuleWorld& world,
                         rules::Rule* rule) {
-  const QuantifiedAtoms atoms(world.world());
+  const rules::QuantifiedAtoms atoms(world.world());
   const std::string variable = FreeVariableName(*rule);
   const VariableTypes types(world, rule->num_variables());
   const auto candidates =

@@ -170,7 +170,7 @@ RuleLessons::Experiences RuleLessons::OwnOf(
 /// What follows from the action's own experiences only.
 void RuleLessons::LearnAlone(int action, Lesson* lesson) const {
   const Experiences own = OwnOf(ExperiencesOf(action));
-  const QuantifiedAtoms& atoms = specialization_.atoms();
+  const rules::QuantifiedAtoms& atoms = specialization_.atoms();
   lesson->seen.emplace(atoms.size());
   rules::Learner learner(world_->world(), rules::LearnerOptions());
   for (const Experience& e : own) {

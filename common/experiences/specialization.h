@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "common/experiences/quantified_atoms.h"
 #include "common/rules/experience.h"
+#include "common/rules/quantified_atoms.h"
 #include "common/rules/rule.h"
 
 namespace cell {
@@ -14,8 +14,8 @@ namespace cell {
 /// hold before each of so many successes by accident.
 inline constexpr int kManySuccesses = 12;
 
-/// Which of QuantifiedAtoms were ever true, and which always, in states that
-/// were seen.
+/// Which of rules::QuantifiedAtoms were ever true, and which always, in states
+/// that were seen.
 struct SeenAtoms {
   explicit SeenAtoms(int num_atoms)
       : ever(num_atoms), always(num_atoms, true) {}
@@ -47,7 +47,7 @@ class Specialization {
   };
   Specialization(std::shared_ptr<const rules::World> world, Params params);
 
-  const QuantifiedAtoms& atoms() const { return atoms_; }
+  const rules::QuantifiedAtoms& atoms() const { return atoms_; }
   const std::vector<int>& landmarks() const { return params_.landmarks; }
 
   /// @param experiences  of the rule's action
@@ -76,7 +76,7 @@ class Specialization {
 
   std::shared_ptr<const rules::World> world_;
   Params params_;
-  QuantifiedAtoms atoms_;
+  rules::QuantifiedAtoms atoms_;
 };
 
 }  // namespace cell

@@ -5,24 +5,6 @@
 namespace cell::rules {
 namespace {
 
-bool Compare(Comparison comparison, int left, int right) {
-  if (left == World::kNoValue) return false;
-  switch (comparison) {
-    case Comparison::kEqual:
-      return left == right;
-    case Comparison::kNotEqual:
-      return left != right;
-    case Comparison::kAtMost:
-      return left <= right;
-    case Comparison::kAtLeast:
-      return left >= right;
-    case Comparison::kTrue:
-    case Comparison::kFalse:
-      break;
-  }
-  return false;
-}
-
 int ObjectOf(const Term& term, std::span<const int> binding) {
   return term.kind == Term::Kind::kObject
              ? term.index
@@ -157,6 +139,24 @@ void AddActs(const World& world, const WorldState& state, GroundAct* act,
 }
 
 }  // namespace
+
+bool Compare(Comparison comparison, int left, int right) {
+  if (left == World::kNoValue) return false;
+  switch (comparison) {
+    case Comparison::kEqual:
+      return left == right;
+    case Comparison::kNotEqual:
+      return left != right;
+    case Comparison::kAtMost:
+      return left <= right;
+    case Comparison::kAtLeast:
+      return left >= right;
+    case Comparison::kTrue:
+    case Comparison::kFalse:
+      break;
+  }
+  return false;
+}
 
 Comparison Opposite(Comparison comparison, int* value) {
   switch (comparison) {

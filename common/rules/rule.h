@@ -34,6 +34,9 @@ enum class Comparison : int8_t {
 /// changed where the comparison wants it.
 Comparison Opposite(Comparison comparison, int* value);
 
+/// Of a function's value, which may be World::kNoValue: nothing holds of that.
+bool Compare(Comparison comparison, int value, int with);
+
 /// A predicate that is true or false of its terms, or a function compared with
 /// a number; as a change, what becomes true, or the value that it gets. `_` in
 /// a term: some object; of a negated literal, none.

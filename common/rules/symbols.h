@@ -45,7 +45,9 @@ struct Symbol {
   bool is_derived() const {
     return kind != Kind::kAction && kind != Kind::kPrimitive;
   }
-  /// True or false in a state, and not derived from others.
+  /// True or false in a state.
+  bool is_predicate() const { return kind != Kind::kAction && !is_integer; }
+  /// And not derived from others.
   bool is_primitive_predicate() const {
     return kind == Kind::kPrimitive && !is_integer;
   }

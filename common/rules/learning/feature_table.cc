@@ -1,6 +1,7 @@
 #include "common/rules/learning/feature_table.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace cell::rules {
 namespace {
@@ -51,14 +52,16 @@ FeatureTable::FeatureTable(std::shared_ptr<const World> world, int action)
     : world_(std::move(world)),
       action_(action),
       num_arguments_(world_->symbols()[action].arity),
+      atoms_(world_),
       values_(world_->symbols().all().size()) {}
 
 void FeatureTable::Add(const Experience& experience) {
   const int e = size();
-  experiences_.push_back(experience);
-  changes_.push_back(ChangesOf(experience, *world_));
+  examples_.push_back({experience, ChangesOf(experience, *world_),
+                       atoms_.TrueIn(experience.before),
+                       atoms_.TrueIn(experience.after)});
   unchanged_.Resize(e + 1);
-  if (changes_.back().empty()) unchanged_.Add(e);
+  if (changes(e).empty()) unchanged_.Add(e);
   for (size_t s = 0; s < values_.size(); ++s) {
     const int symbol = static_cast<int>(s);
     if (!world_->symbols()[symbol].is_integer) continue;
@@ -100,9 +103,7 @@ const BitSet& FeatureTable::Before(int number) {
   }
   for (int e = literal.before.size(); e < size(); ++e) {
     literal.before.Resize(e + 1);
-    if (Holds(literal.feature, e, -1, experience(e).before)) {
-      literal.before.Add(e);
-    }
+    if (HoldsBefore(literal.feature, e, -1)) literal.before.Add(e);
   }
   return literal.before;
 }
@@ -111,7 +112,7 @@ const BitSet& FeatureTable::After(int number) {
   CachedLiteral& literal = literals_[static_cast<size_t>(number)];
   for (int e = literal.after.size(); e < size(); ++e) {
     literal.after.Resize(e + 1);
-    if (Holds(literal.feature, e, -1, experience(e).after)) {
+    if (Holds(literal.feature, e, -1, experience(e).after, example(e).after)) {
       literal.after.Add(e);
     }
   }
@@ -119,31 +120,64 @@ const BitSet& FeatureTable::After(int number) {
 }
 
 int FeatureTable::Reference(const std::vector<Feature>& definition) {
+  for (const Feature& feature : definition) {
+    if (feature.symbol != Literal::kSame &&
+        world_->symbols()[feature.symbol].is_integer) {
+      throw std::invalid_argument("a function does not define a reference");
+    }
+  }
   const int next = num_arguments_ + static_cast<int>(references_.size());
   const auto [it, is_new] = term_of_.emplace(definition, next);
   if (is_new) references_.push_back({definition, {}, BitSet()});
   return it->second;
 }
 
+std::optional<FeatureTable::SelfLiteral> FeatureTable::ToSelfLiteral(
+    const Feature& feature, int e) {
+  const auto with_first = ArgumentsOf(feature, e, 0);
+  const auto with_second = ArgumentsOf(feature, e, 1);
+  if (!with_first || !with_second) return std::nullopt;
+  const bool is_same = feature.symbol == Literal::kSame;
+  const auto number = [&](const Arguments& arguments) {
+    return is_same ? arguments.objects[0] - arguments.objects[1]
+                   : atoms_.IndexOf(feature.symbol, arguments.all());
+  };
+  const int first = number(*with_first);
+  return SelfLiteral{first, number(*with_second) - first, is_same,
+                     feature.comparison == Comparison::kFalse};
+}
+
+int FeatureTable::UniqueObject(const std::vector<Feature>& definition, int e) {
+  std::vector<SelfLiteral> literals;
+  for (const Feature& feature : definition) {
+    const auto literal = ToSelfLiteral(feature, e);
+    if (!literal) return -1;
+    literals.push_back(*literal);
+  }
+  const BitSet& atoms = example(e).before;
+  const auto is_it = [&](int object) {
+    return std::ranges::all_of(literals, [&](const SelfLiteral& literal) {
+      const int number = literal.first + literal.stride * object;
+      const bool is_true = literal.is_same ? number == 0 : atoms.Has(number);
+      return is_true != literal.is_negated;
+    });
+  };
+  int found = -1;
+  for (int object = 0; object < world_->num_objects(); ++object) {
+    if (!experience(e).before.is_present[static_cast<size_t>(object)]) continue;
+    if (!is_it(object)) continue;
+    if (found >= 0) return -1;
+    found = object;
+  }
+  return found;
+}
+
 void FeatureTable::Extend(CachedReference* reference) {
   for (int e = reference->bound.size(); e < size(); ++e) {
-    int found = -1;
-    int num_found = 0;
-    for (int object = 0; object < world_->num_objects(); ++object) {
-      if (!experience(e).before.is_present[static_cast<size_t>(object)]) {
-        continue;
-      }
-      const bool is_it =
-          std::ranges::all_of(reference->definition, [&](const Feature& f) {
-            return Holds(f, e, object, experience(e).before);
-          });
-      if (!is_it) continue;
-      found = object;
-      if (++num_found > 1) break;
-    }
+    const int object = UniqueObject(reference->definition, e);
     reference->bound.Resize(e + 1);
-    if (num_found == 1) reference->bound.Add(e);
-    reference->objects.push_back(num_found == 1 ? found : -1);
+    if (object >= 0) reference->bound.Add(e);
+    reference->objects.push_back(object);
   }
 }
 
@@ -169,33 +203,39 @@ int FeatureTable::ObjectOf(int32_t term, int e, int self) {
 }
 
 bool FeatureTable::HoldsBefore(const Feature& feature, int e, int self) {
-  return Holds(feature, e, self, experience(e).before);
+  return Holds(feature, e, self, experience(e).before, example(e).before);
+}
+
+/// The objects of the literal's terms, `_` as that of the atoms; none, if a
+/// term has none.
+std::optional<FeatureTable::Arguments> FeatureTable::ArgumentsOf(
+    const Feature& feature, int e, int self) {
+  Arguments found;
+  for (const int32_t term : feature.terms) {
+    if (term == Feature::kNone) break;
+    const int object =
+        term == Feature::kAny ? atoms_.any() : ObjectOf(term, e, self);
+    if (object < 0) return std::nullopt;
+    found.objects[found.number++] = object;
+  }
+  return found;
 }
 
 bool FeatureTable::Holds(const Feature& feature, int e, int self,
-                         const WorldState& state) {
-  const int arity = feature.symbol == Literal::kSame
-                        ? 2
-                        : world_->symbols()[feature.symbol].arity;
-  // As a literal whose variables are its own terms, one by one. Looking up the
-  // object of a reference may evaluate other literals: that comes first.
-  std::array<int, kMaxArity> binding = {0, 0, 0};
-  for (size_t i = 0; i < static_cast<size_t>(arity); ++i) {
-    if (feature.terms[i] == Feature::kAny) continue;
-    binding[i] = ObjectOf(feature.terms[i], e, self);
-    if (binding[i] < 0) return false;
+                         const WorldState& state, const BitSet& atoms) {
+  const auto arguments = ArgumentsOf(feature, e, self);
+  if (!arguments) return false;
+  const bool is_negated = feature.comparison == Comparison::kFalse;
+  if (feature.symbol == Literal::kSame) {
+    return (arguments->objects[0] == arguments->objects[1]) != is_negated;
   }
-  scratch_.symbol = feature.symbol;
-  scratch_.comparison = feature.comparison;
-  scratch_.value = feature.value;
-  scratch_.terms.resize(static_cast<size_t>(arity));
-  for (size_t i = 0; i < static_cast<size_t>(arity); ++i) {
-    scratch_.terms[i] = {feature.terms[i] == Feature::kAny
-                             ? Term::Kind::kAny
-                             : Term::Kind::kVariable,
-                         static_cast<int>(i)};
+  if (world_->symbols()[feature.symbol].is_integer) {
+    const int place = world_->PlaceOf(feature.symbol, arguments->all());
+    return Compare(feature.comparison, state.values[static_cast<size_t>(place)],
+                   feature.value);
   }
-  return rules::Holds(scratch_, binding, state, *world_);
+  const int atom = atoms_.IndexOf(feature.symbol, arguments->all());
+  return atoms.Has(atom) != is_negated;
 }
 
 }  // namespace cell::rules

@@ -3,6 +3,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "common/rules/experience.h"
 #include "common/rules/learning/bit_set.h"
 #include "common/rules/learning/feature.h"
+#include "common/rules/quantified_atoms.h"
 
 namespace cell::rules {
 
@@ -30,16 +32,12 @@ class FeatureTable {
   FeatureTable(std::shared_ptr<const World> world, int action);
 
   void Add(const Experience& experience);
-  int size() const { return static_cast<int>(experiences_.size()); }
+  int size() const { return static_cast<int>(examples_.size()); }
   const World& world() const { return *world_; }
   int action() const { return action_; }
   int num_arguments() const { return num_arguments_; }
-  const Experience& experience(int e) const {
-    return experiences_[static_cast<size_t>(e)];
-  }
-  const std::vector<Change>& changes(int e) const {
-    return changes_[static_cast<size_t>(e)];
-  }
+  const Experience& experience(int e) const { return example(e).experience; }
+  const std::vector<Change>& changes(int e) const { return example(e).changes; }
   /// Experiences without any change.
   const BitSet& unchanged() const { return unchanged_; }
   /// Values that the function has had, for any objects.
@@ -57,12 +55,15 @@ class FeatureTable {
   const BitSet& After(int number);
 
   /// The term of the reference with this definition, a sorted list.
+  /// @throws std::invalid_argument for a literal of a function
   int Reference(const std::vector<Feature>& definition);
   const std::vector<Feature>& definition(int term) const {
     return ReferenceOf(term).definition;
   }
   /// Its object, or -1 if there is not exactly one.
   int Object(int term, int e);
+  /// The same for literals that need not be those of a reference.
+  int UniqueObject(const std::vector<Feature>& definition, int e);
   const BitSet& Bound(int term);
 
   /// The object of a term in an experience; -1 if it has none.
@@ -71,6 +72,27 @@ class FeatureTable {
   bool HoldsBefore(const Feature& feature, int e, int self);
 
  private:
+  struct Example {
+    Experience experience;
+    std::vector<Change> changes;
+    BitSet before;  // the atoms that are true
+    BitSet after;
+  };
+  /// The objects of a literal.
+  struct Arguments {
+    std::array<int, kMaxArity> objects{};
+    size_t number = 0;
+    std::span<const int> all() const { return {objects.data(), number}; }
+  };
+  /// A literal about kSelf in one experience. By first + stride * object it
+  /// finds its atom, or, if it says that two terms are the same, their
+  /// difference.
+  struct SelfLiteral {
+    int first = 0;
+    int stride = 0;
+    bool is_same = false;
+    bool is_negated = false;
+  };
   struct CachedLiteral {
     Feature feature;
     BitSet before;
@@ -83,7 +105,14 @@ class FeatureTable {
   };
 
   const BitSet* OppositeBefore(const Feature& feature) const;
-  bool Holds(const Feature& feature, int e, int self, const WorldState& state);
+  std::optional<Arguments> ArgumentsOf(const Feature& feature, int e, int self);
+  std::optional<SelfLiteral> ToSelfLiteral(const Feature& feature, int e);
+  /// With the atoms that are true in the state of the experience.
+  bool Holds(const Feature& feature, int e, int self, const WorldState& state,
+             const BitSet& atoms);
+  const Example& example(int e) const {
+    return examples_[static_cast<size_t>(e)];
+  }
   CachedReference& ReferenceOf(int term) {
     return references_[static_cast<size_t>(term - num_arguments_)];
   }
@@ -95,15 +124,14 @@ class FeatureTable {
   std::shared_ptr<const World> world_;
   int action_;
   int num_arguments_;
-  std::deque<Experience> experiences_;
-  std::vector<std::vector<Change>> changes_;
+  QuantifiedAtoms atoms_;
+  std::deque<Example> examples_;
   BitSet unchanged_;
   std::vector<std::set<int>> values_;  // of each symbol
   std::deque<CachedLiteral> literals_;
   std::map<Feature, int> number_of_;
   std::deque<CachedReference> references_;
   std::map<std::vector<Feature>, int> term_of_;
-  Literal scratch_;
 };
 
 }  // namespace cell::rules

@@ -104,7 +104,7 @@ class Explanation {
     }
     std::vector<std::pair<int, std::vector<Feature>>> rated;
     const auto rate = [&](std::vector<Feature> definition) {
-      if (UniqueObject(definition, e) != object) return false;
+      if (table_.UniqueObject(definition, e) != object) return false;
       std::ranges::sort(definition);
       const int value = -3 * NumChangedObjects(definition, references) +
                         static_cast<int>(definition.size());
@@ -128,26 +128,11 @@ class Explanation {
     return terms;
   }
 
-  int UniqueObject(const std::vector<Feature>& definition, int e) {
-    int found = -1;
-    for (int object = 0; object < table_.world().num_objects(); ++object) {
-      const auto& before = table_.experience(e).before;
-      if (!before.is_present[static_cast<size_t>(object)]) continue;
-      const bool is_it = std::ranges::all_of(definition, [&](const auto& f) {
-        return table_.HoldsBefore(f, e, object);
-      });
-      if (!is_it) continue;
-      if (found >= 0) return -1;
-      found = object;
-    }
-    return found;
-  }
-
   int NumChangedObjects(const std::vector<Feature>& definition,
                         const References& references) {
     int number = 0;
     for (size_t i = 0; i < std::min(examples_.size(), kMaxTrials); ++i) {
-      const int object = UniqueObject(definition, examples_[i]);
+      const int object = table_.UniqueObject(definition, examples_[i]);
       if (object < 0) continue;
       const auto unbound = UnboundObjects(examples_[i], references);
       number += std::ranges::count(unbound, object) > 0;

@@ -1,23 +1,24 @@
-#include "common/experiences/quantified_atoms.h"
+#include "common/rules/quantified_atoms.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <utility>
 
-namespace cell {
+namespace cell::rules {
 
-QuantifiedAtoms::QuantifiedAtoms(std::shared_ptr<const rules::World> world)
+QuantifiedAtoms::QuantifiedAtoms(std::shared_ptr<const World> world)
     : world_(std::move(world)) {
-  for (const rules::Symbol& symbol : world_->symbols().all()) {
+  for (const Symbol& symbol : world_->symbols().all()) {
     first_.push_back(size_);
-    if (!symbol.is_primitive_predicate()) continue;
+    if (!symbol.is_predicate()) continue;
     int number = 1;
-    for (int i = 0; i < symbol.arity; ++i) number *= world_->num_objects() + 1;
+    for (int i = 0; i < symbol.arity; ++i) number *= any() + 1;
     size_ += number;
   }
   for (size_t s = 0; s < first_.size(); ++s) {
     const int symbol = static_cast<int>(s);
-    if (!world_->symbols()[symbol].is_primitive_predicate()) continue;
+    if (!world_->symbols()[symbol].is_predicate()) continue;
     const int end = world_->first(symbol) + world_->num_places(symbol);
     begin_.resize(static_cast<size_t>(end) + 1, atoms_.size());
     for (int place = world_->first(symbol); place < end; ++place) {
@@ -28,18 +29,19 @@ QuantifiedAtoms::QuantifiedAtoms(std::shared_ptr<const rules::World> world)
   }
 }
 
-int QuantifiedAtoms::IndexOf(const rules::Literal& literal,
+int QuantifiedAtoms::IndexOf(const Literal& literal,
                              std::span<const int> binding) const {
-  int offset = 0;
-  for (const rules::Term& term : literal.terms) {
-    int object = world_->num_objects();  // `_`
-    if (term.kind == rules::Term::Kind::kObject) object = term.index;
-    if (term.kind == rules::Term::Kind::kVariable) {
+  std::array<int, kMaxArity> objects{};
+  size_t arity = 0;
+  for (const Term& term : literal.terms) {
+    int object = any();
+    if (term.kind == Term::Kind::kObject) object = term.index;
+    if (term.kind == Term::Kind::kVariable) {
       object = binding[static_cast<size_t>(term.index)];
     }
-    offset = offset * (world_->num_objects() + 1) + object;
+    objects[arity++] = object;
   }
-  return first_[static_cast<size_t>(literal.symbol)] + offset;
+  return IndexOf(literal.symbol, std::span(objects).first(arity));
 }
 
 /// Adds the atoms with each object from `next` on, or with `_` in its place.
@@ -50,14 +52,13 @@ void QuantifiedAtoms::AddAtoms(int symbol, std::span<const int> objects,
     atoms_.push_back(first_[static_cast<size_t>(symbol)] + offset);
     return;
   }
-  for (const int object : {objects[next], world_->num_objects()}) {
-    AddAtoms(symbol, objects, next + 1,
-             offset * (world_->num_objects() + 1) + object);
+  for (const int object : {objects[next], any()}) {
+    AddAtoms(symbol, objects, next + 1, offset * (any() + 1) + object);
   }
 }
 
-rules::BitSet QuantifiedAtoms::TrueIn(const rules::WorldState& state) const {
-  rules::BitSet atoms(size_);
+BitSet QuantifiedAtoms::TrueIn(const WorldState& state) const {
+  BitSet atoms(size_);
   for (size_t w = 0; w < state.bits.size(); ++w) {
     for (uint64_t word = state.bits[w]; word != 0; word &= word - 1) {
       const size_t place = 64 * w + static_cast<size_t>(std::countr_zero(word));
@@ -70,4 +71,4 @@ rules::BitSet QuantifiedAtoms::TrueIn(const rules::WorldState& state) const {
   return atoms;
 }
 
-}  // namespace cell
+}  // namespace cell::rules
