@@ -213,67 +213,29 @@ TEST_F(CellCommand, EvalGoesOnWhereItWasCut) {
   }
 }
 
-TEST_F(CellCommand, EveryCommandShowsAnExample) {
-  for (const char* command : {"",
-                              "demo",
-                              "sim",
-                              "replay",
-                              "diff",
-                              "eval",
-                              "eval watch",
-                              "eval alarms",
-                              "eval assembly",
-                              "eval disturbed",
-                              "eval goals",
-                              "eval variants",
-                              "eval from_nothing",
-                              "check",
-                              "chain",
-                              "view",
-                              "eval insertion",
-                              "eval stream",
-                              "eval groups",
-                              "eval layers",
-                              "eval one_showing",
-                              "explain",
-                              "episode",
-                              "hold",
-                              "resume",
-                              "learn",
-                              "learn sec",
-                              "learn rules",
-                              "name",
-                              "goal",
-                              "list",
-                              "top",
-                              "record",
-                              "spy",
-                              "sec",
-                              "eval sec",
-                              "sec import",
-                              "sec plot",
-                              "sec record",
-                              "plan",
-                              "rules",
-                              "rules learn",
-                              "rules record",
-                              "rules compare",
-                              "rules judge",
-                              "rules show",
-                              "rules export",
-                              "rules import",
-                              "eval rules",
-                              "eval rexd",
-                              "eval excuses",
-                              "eval sufficient",
-                              "eval mistakes",
-                              "monitor",
-                              "sec similar",
-                              "eval substitution"}) {
-    const ShellResult help = Cell(std::string(command) + " --help");
-    EXPECT_EQ(help.code, 0) << command;
-    EXPECT_THAT(help.output, HasSubstr("Example: ")) << command;
+/// The first word of each line below "Subcommands:" that begins an entry.
+std::vector<std::string> SubcommandsIn(const std::string& help) {
+  std::vector<std::string> names;
+  std::istringstream lines(
+      help.substr(std::min(help.find("Subcommands:"), help.size())));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 3 || !line.starts_with("  ") || line[2] == ' ') continue;
+    names.push_back(line.substr(2, line.find(' ', 2) - 2));
   }
+  return names;
+}
+
+TEST_F(CellCommand, EveryCommandShowsAnExample) {
+  std::vector<std::string> commands = {""};
+  for (size_t i = 0; i < commands.size(); ++i) {
+    const ShellResult help = Cell(commands[i] + " --help");
+    EXPECT_EQ(help.code, 0) << commands[i];
+    EXPECT_THAT(help.output, HasSubstr("Example: ")) << commands[i];
+    for (const std::string& name : SubcommandsIn(help.output)) {
+      commands.push_back(commands[i] + " " + name);
+    }
+  }
+  EXPECT_GT(commands.size(), 80);
   for (const char* service :
        {"vtb", "tracker", "sec_builder", "recognizer", "predicate_estimator",
         "planner", "robot_arm", "supervisor", "recorder", "library",

@@ -171,6 +171,7 @@ TEST_F(LibraryOfExperiences, AreLearnedFromAndWrittenAsText) {
   EXPECT_EQ(learned.code, 0);
   EXPECT_THAT(learned.output, HasSubstr(left_out));
   EXPECT_THAT(learned.output, HasSubstr("2 experiences, "));
+  EXPECT_THAT(Cell("rules judge --library a").output, HasSubstr(left_out));
   fs::create_directories(dir_ / "text");
   const ShellResult record =
       Cell("rules record --library a --out text/a.experiences");
@@ -215,6 +216,10 @@ TEST_F(LibraryCommand, WhatARunHasLearnedOutlivesItAndCanBeChanged) {
   EXPECT_THAT(TextOf(dir_ / "first/run.yaml"), HasSubstr("my.db\", change: 0"));
   EXPECT_THAT(Cell("library list --verbose --database my.db").output,
               HasSubstr("by change 2: run first (build"));
+  const ShellResult judged = Cell("rules judge --library first");
+  EXPECT_EQ(judged.code, 1) << judged.output;
+  EXPECT_THAT(judged.output, HasSubstr("from 1 start state: they do not"));
+  EXPECT_THAT(judged.output, HasSubstr("not covered: Placed(pendulum)"));
   const ShellResult rename =
       Cell("library rename Action1 PlugIn --database my.db");
   EXPECT_EQ(rename.code, 0) << rename.output;

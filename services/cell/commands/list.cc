@@ -14,7 +14,7 @@
 #include "common/text/nearest.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
-#include "services/cell/evaluations/evaluation.h"
+#include "services/cell/running/task_variant.h"
 #include "services/vtb/script.h"
 
 namespace cell::cli {
@@ -52,7 +52,8 @@ void Print(const std::string& what, const Names& names) {
             << "\n";
 }
 
-int RunList(const std::string& deploy_dir) {
+/// @param evaluations  subcommands of `cell eval`
+int RunList(const std::string& deploy_dir, const Names& evaluations) {
   const CellFiles files = FindCellFiles(deploy_dir);
   const Task task = LoadTask(files.deployment);
   const auto [by_person, by_robot] = DemonstrationsOf(files.deployment, task);
@@ -61,11 +62,10 @@ int RunList(const std::string& deploy_dir) {
   Print("of " + name + ": goals", NamesIn(task.domain.goals(), &Goal::name));
   Print("  demonstrations, person", by_person);
   Print("  demonstrations, robot", by_robot);
+  Print("  variants", VariantsOf(files.deployment.task_dir));
   Print("  actions", NamesIn(task.domain.actions(), &cell::Action::name));
   Print("services", NamesIn(files.roster.entries, &Roster::Entry::name));
-  Print("evaluations", NamesIn(AllEvaluations(), [](const auto& evaluation) {
-          return evaluation->name();
-        }));
+  Print("evaluations", evaluations);
   return 0;
 }
 
@@ -76,12 +76,18 @@ void AddList(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
       "list",
       "List the names that commands accept: tasks, goals, demonstrations, "
-      "actions, services, evaluations.\nExample: cell list");
+      "variants, actions, services, evaluations.\nExample: cell list");
   command->add_option("--deploy", *deploy_dir,
                       "folder with config/ and tasks/");
+  CLI::App* all = &app;  // evaluations are added after this command
   command->callback([=] {
     *action = [=] {
-      return RunList(*deploy_dir);
+      Names evaluations;
+      for (const CLI::App* one :
+           all->get_subcommand("eval")->get_subcommands({})) {
+        evaluations.push_back(one->get_name());
+      }
+      return RunList(*deploy_dir, evaluations);
     };
   });
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/node/cell_files.h"
@@ -15,8 +16,11 @@
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
+#include "common/text/printable.h"
+#include "services/cell/commands/library_commands.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/learning/experienced_episodes.h"
+#include "services/cell/learning/library_experiences.h"
 #include "services/cell/learning/run_experiences.h"
 #include "services/cell/learning/sufficiency.h"
 
@@ -28,27 +32,67 @@ namespace fs = std::filesystem;
 struct JudgeOptions {
   std::string deploy_dir;
   std::string experiences;
+  std::string library;
   std::string goal;
 };
+
+/// What was shown, and the words that it is in.
+struct Shown {
+  RuleWorld world;
+  std::vector<ExperiencedEpisode> episodes;
+};
+
+/// Each demonstration of a library is an episode.
+Shown OfLibrary(const std::string& library, const Domain& domain) {
+  LibraryExperiences all = ReadLibraryExperiences(LibraryFile(library), domain);
+  for (const std::string& reason : all.left_out) {
+    std::cout << "left out: " << Printable(reason) << "\n";
+  }
+  Shown shown{std::move(all.world), {}};
+  for (size_t i = 0; i < all.experiences.size(); ++i) {
+    const std::string& name = all.demonstrations[i];
+    if (shown.episodes.empty() || shown.episodes.back().name != name) {
+      shown.episodes.push_back({name, {}});
+    }
+    shown.episodes.back().experiences.push_back(std::move(all.experiences[i]));
+  }
+  if (shown.episodes.empty()) {
+    throw std::runtime_error(
+        library +
+        ": keeps no experiences of this task; a cell that learns "
+        "(cell sim --learn --library FILE) adds them");
+  }
+  return shown;
+}
+
+Shown OfTask(const fs::path& folder, const Domain& domain) {
+  RuleWorld world = RuleWorldOf(domain);
+  auto episodes = EpisodesIn(folder, world);
+  return {std::move(world), std::move(episodes)};
+}
 
 int Judge(const JudgeOptions& options) {
   const Deployment deployment = FindCellFiles(options.deploy_dir).deployment;
   const Domain domain = LoadTask(deployment).domain;
-  const RuleWorld world = RuleWorldOf(domain);
-  const fs::path folder = options.experiences.empty()
-                              ? deployment.task_dir / kExperiencesFolder
-                              : fs::path(options.experiences);
   const Goal& goal = NamedGoal(domain, options.goal);
+  const Shown shown =
+      options.library.empty()
+          ? OfTask(options.experiences.empty()
+                       ? deployment.task_dir / kExperiencesFolder
+                       : fs::path(options.experiences),
+                   domain)
+          : OfLibrary(options.library, domain);
   std::vector<rules::Experience> experiences;
   std::vector<State> starts;
-  for (const ExperiencedEpisode& episode : EpisodesIn(folder, world)) {
-    const State start = world.FromWorld(episode.experiences.front().before);
+  for (const ExperiencedEpisode& episode : shown.episodes) {
+    const State start =
+        shown.world.FromWorld(episode.experiences.front().before);
     if (std::ranges::count(starts, start) == 0) starts.push_back(start);
     experiences.insert(experiences.end(), episode.experiences.begin(),
                        episode.experiences.end());
   }
   const Sufficiency judged = JudgeSufficiency(
-      LearnedRuleSet(experiences, domain.goals(), world), goal, starts);
+      LearnedRuleSet(experiences, domain.goals(), shown.world), goal, starts);
   std::cout << fmt::format(
       "{} from {}: ",
       Counted(static_cast<int64_t>(experiences.size()), "experience"),
@@ -78,12 +122,18 @@ void AddRulesJudge(CLI::App& rules, Action* action) {
       "judge",
       "Judge whether the demonstrations so far suffice to reach a goal, and "
       "which parts of it they do not cover. Exit code 1 if they do not.\n"
-      "Example: cell rules judge --goal assembled");
+      "Example: cell rules judge --goal assembled\n"
+      "Example: cell rules judge --library my.db");
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/");
   command->add_option("--experiences", options->experiences,
                       "folder of *.experiences (default: experiences/ of the "
                       "task)");
+  command
+      ->add_option("--library", options->library,
+                   "judge what this library's file, or a run folder that has "
+                   "one, keeps of its demonstrations")
+      ->excludes("--experiences");
   command->add_option("--goal", options->goal,
                       "of the task (default: its first)");
   command->callback([=] {

@@ -43,11 +43,13 @@ LibraryExperiences ReadLibraryExperiences(const std::filesystem::path& file,
       RuleWorld(std::make_shared<const Vocabulary>(domain.vocabulary()),
                 domain.actions()),
       {},
+      {},
       {}};
   for (const ExperienceRecord& record : store.Content().experiences) {
     auto experience = ToExperience(record, domain, all.world);
     if (experience) {
       all.experiences.push_back(*std::move(experience));
+      all.demonstrations.push_back(record.demonstration);
     } else {
       all.left_out.push_back(
           fmt::format("experience {}: {}", record.id, experience.reason()));

@@ -15,6 +15,8 @@ namespace cell::cli {
 struct LibraryExperiences {
   RuleWorld world;
   std::vector<rules::Experience> experiences;
+  /// In which each of them was made; empty: not known.
+  std::vector<std::string> demonstrations;
   /// Why others are left out, one each.
   std::vector<std::string> left_out;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -43,16 +44,21 @@ fs::path FramesElsewhere(const Deployment& source) {
   return is_of_task ? fs::path() : path;
 }
 
+void ChangeYaml(const fs::path& file,
+                const std::function<void(YAML::Node)>& change) {
+  const YAML::Node node = YAML::LoadFile(file.string());
+  change(node);
+  WriteFile(file, YAML::Dump(node) + "\n");
+}
+
 /// Copies them into the copy of the task's folder, where the copy of the
 /// configuration finds them then.
 void KeepFrames(const fs::path& frames, const Deployment& deployment) {
   std::string name = "recorded";
   while (fs::exists(deployment.task_dir / name)) name += "_frames";
   fs::copy(frames, deployment.task_dir / name, fs::copy_options::recursive);
-  const fs::path file = deployment.config_dir / "camera_set.yaml";
-  YAML::Node node = YAML::LoadFile(file.string());
-  node["recorded"]["folder"] = name;
-  WriteFile(file, YAML::Dump(node) + "\n");
+  ChangeYaml(deployment.config_dir / "camera_set.yaml",
+             [&](YAML::Node config) { config["recorded"]["folder"] = name; });
 }
 
 // Several processes may want a folder at once: the first to create an entry in
@@ -67,9 +73,7 @@ void Claim(const fs::path& run) {
 
 /// Leaves the actions of the task's domain that have rules by hand, and takes
 /// away what was learned of the others.
-void ForgetActions(const fs::path& task_dir) {
-  const fs::path file = task_dir / "domain.yaml";
-  YAML::Node domain = YAML::LoadFile(file.string());
+void ForgetActions(YAML::Node domain) {
   std::vector<std::string> unknown;
   for (const auto& entry : domain["actions"]) {
     if (!entry.second["rules"])
@@ -82,7 +86,6 @@ void ForgetActions(const fs::path& task_dir) {
     }
   }
   domain.remove(kLearnedRulesKey);
-  WriteFile(file, YAML::Dump(domain) + "\n");
 }
 
 }  // namespace
@@ -157,27 +160,32 @@ void RunFolder::AskFor(const std::string& episodes, uint64_t chance) {
 void RunFolder::EnableServices(const std::string& option) {
   const fs::path file = deployment.config_dir / "roster.yaml";
   roster = Roster::FromConfig(Config::Load(file.string()), option);
-  YAML::Node node = YAML::LoadFile(file.string());
-  for (YAML::Node entry : node["services"]) {
-    if (entry["option"] && entry["option"].as<std::string>() == option) {
-      entry.remove("option");
+  ChangeYaml(file, [&](YAML::Node node) {
+    for (YAML::Node entry : node["services"]) {
+      if (entry["option"] && entry["option"].as<std::string>() == option) {
+        entry.remove("option");
+      }
     }
-  }
-  WriteFile(file, YAML::Dump(node) + "\n");
+  });
 }
 
 void RunFolder::LeaveToPerson(const std::vector<std::string>& actions) const {
-  const fs::path file = deployment.config_dir / "planner.yaml";
-  YAML::Node planner = YAML::LoadFile(file.string());
-  planner["execution"]["help_steps"] = actions;
-  WriteFile(file, YAML::Dump(planner) + "\n");
+  ChangeYaml(deployment.config_dir / "planner.yaml", [&](YAML::Node planner) {
+    planner["execution"]["help_steps"] = actions;
+  });
 }
 
 void RunFolder::SetLearning(bool is_learning) const {
-  const fs::path file = deployment.config_dir / "recognizer.yaml";
-  YAML::Node recognizer = YAML::LoadFile(file.string());
-  recognizer["learning"] = is_learning;
-  WriteFile(file, YAML::Dump(recognizer) + "\n");
+  for (const char* service : {"recognizer.yaml", "planner.yaml"}) {
+    ChangeYaml(deployment.config_dir / service,
+               [&](YAML::Node config) { config["learning"] = is_learning; });
+  }
+}
+
+void RunFolder::DoWithoutConfirmation() const {
+  ChangeYaml(deployment.config_dir / "planner.yaml", [](YAML::Node planner) {
+    planner["exploration"]["confirmation"] = false;
+  });
 }
 
 void RunFolder::UseLibrary(const fs::path& file) {
@@ -197,18 +205,16 @@ void RunFolder::UseLibrary(const fs::path& file) {
 }
 
 void RunFolder::ForgetEventChains() const {
-  SetLearning(true);
+  ChangeYaml(deployment.config_dir / "recognizer.yaml",
+             [](YAML::Node recognizer) { recognizer["learning"] = true; });
   WriteFile(deployment.task_dir / kSecModelsFile, "models: {}\n");
 }
 
 void RunFolder::LearnFromNothing() const {
+  SetLearning(true);
+  DoWithoutConfirmation();
   ForgetEventChains();
-  ForgetActions(deployment.task_dir);
-  const fs::path file = deployment.config_dir / "planner.yaml";
-  YAML::Node planner = YAML::LoadFile(file.string());
-  planner["learning"] = true;
-  planner["exploration"]["confirmation"] = false;
-  WriteFile(file, YAML::Dump(planner) + "\n");
+  ChangeYaml(deployment.task_dir / "domain.yaml", ForgetActions);
 }
 
 void RunFolder::Stopped() const {

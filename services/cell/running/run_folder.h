@@ -44,8 +44,11 @@ struct RunFolder {
   /// hand what they do, the arms' own skills: it learns how actions look and
   /// what they need and do. Arms may do what was learned without an operator.
   void LearnFromNothing() const;
-  /// What is shown in this run changes what the recognizer knows, or does not.
+  /// What is shown and tried in this run changes what recognizer and planner
+  /// know, or does not.
   void SetLearning(bool is_learning) const;
+  /// Arms may do what was learned without an operator's confirmation.
+  void DoWithoutConfirmation() const;
   /// The run works on this library's file, which outlives it.
   /// @throws std::runtime_error if it cannot be used.
   void UseLibrary(const std::filesystem::path& file);

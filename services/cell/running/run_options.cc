@@ -25,15 +25,22 @@ void RunOptions::AddTo(CLI::App& command) {
       ->delimiter(',');
   command.add_flag("--cameras", has_cameras,
                    "run the camera sets and log their frames");
-  command.add_flag(
+  CLI::Option* from_nothing = command.add_flag(
       "--from-nothing", is_from_nothing,
       "know no action at first but the arms' own skills, and learn how they "
       "look and what they do from what is shown and tried (default: three "
-      "episodes with a person who shows what the cell asks for)");
+      "episodes with a person who shows what the cell asks for; implies "
+      "--learn and --confirmed)");
   CLI::Option* learn = command.add_flag(
-      "--learn", learns, "learn from what is shown (default: recognizer.yaml)");
+      "--learn", learns,
+      "learn how actions look, and what they need and do, from what is shown "
+      "and tried (default: learning: in recognizer.yaml and planner.yaml)");
   command.add_flag("--no-learn", does_not_learn, "learn nothing")
-      ->excludes(learn);
+      ->excludes(learn)
+      ->excludes(from_nothing);
+  command.add_flag("--confirmed", is_confirmed,
+                   "let arms do learned actions without an operator's "
+                   "confirmation (default: exploration: in planner.yaml)");
   command.add_option("--library", library,
                      "library that the run works on and that outlives it "
                      "(default: library.db of the run folder)");
@@ -63,6 +70,7 @@ RunFolder RunOptions::CreateFolder(const std::string& kind) const {
   if (!help_steps.empty()) run.LeaveToPerson(help_steps);
   if (is_from_nothing) run.LearnFromNothing();
   if (learns || does_not_learn) run.SetLearning(learns);
+  if (is_confirmed) run.DoWithoutConfirmation();
   if (!library.empty()) {
     try {
       run.UseLibrary(library);

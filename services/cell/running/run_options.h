@@ -23,8 +23,9 @@ struct RunOptions {
   std::string out;
   bool has_cameras = false;
   bool is_from_nothing = false;
-  bool learns = false;          ///< whatever recognizer.yaml says
+  bool learns = false;  ///< whatever recognizer.yaml and planner.yaml say
   bool does_not_learn = false;  ///< the same
+  bool is_confirmed = false;
   std::string library;
   std::string variant;
   bool is_hash = false;

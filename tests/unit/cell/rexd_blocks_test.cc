@@ -60,6 +60,19 @@ TEST(BlocksCsv, HasALineForEachEpisodeWithEitherKnowledge) {
   EXPECT_THAT(csv, HasSubstr("0.5,from scratch,second,3,7,0,3,0,0,0,1\n"));
 }
 
+TEST(ShippedTasks, HaveAWayToTheirGoals) {
+  for (const auto& [name, distance] :
+       {std::pair("placements", 8), std::pair("nine_steps", 9),
+        std::pair("changed_tasks", 8), std::pair("dead_ends", 2)}) {
+    EvalRexdOptions options;
+    options.task_file = ShippedDeployment().task_dir / "learning" /
+                        (std::string(name) + ".rules");
+    const rexd::RexdTask task = LoadRexdTask(options);
+    rexd::PlanningTeacher teacher(task, 1, {}, 0);
+    EXPECT_EQ(teacher.DistanceFrom(task.initial), distance) << name;
+  }
+}
+
 // That a block's changes make sense: its goal is not reached at the start and
 // can be reached, by more actions than without the changes.
 TEST(ShippedBlocks, HaveAWayToTheirGoals) {
