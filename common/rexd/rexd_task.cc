@@ -51,6 +51,12 @@ std::vector<Literal> ReadLiterals(const std::string& text, const Place& place,
 std::vector<Literal> ReadGoal(const TextLine& line, const World& world) {
   std::vector<Literal> goal = ReadLiterals(line.text, line.place, world);
   if (goal.empty()) line.place.Fail("the goal is empty");
+  for (Literal literal : goal) {
+    literal.comparison = Opposite(literal.comparison, &literal.value);
+    if (std::ranges::count(goal, literal) == 0) continue;
+    line.place.Fail("the goal wants '" + world.symbols()[literal.symbol].name +
+                    "' to hold and not to hold of the same objects");
+  }
   return goal;
 }
 
@@ -98,6 +104,9 @@ std::vector<std::string> ReadObjects(const TextLine& line) {
     objects.push_back(in.Word("the name of an object"));
     if (IsVariableName(objects.back())) {
       in.Fail("'" + objects.back() + "' should begin with a small letter");
+    }
+    if (std::ranges::count(objects, objects.back()) > 1) {
+      in.Fail("'" + objects.back() + "' is there twice");
     }
   }
   return objects;

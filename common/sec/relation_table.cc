@@ -71,6 +71,9 @@ class TableReader {
       if (end == 0 || end == name.npos || end + 1 == name.size()) {
         Fail("'" + Printable(name) + "' names no pair, such as hand_cup");
       }
+      if (name.substr(0, end) == name.substr(end + 1)) {
+        Fail("'" + Printable(name) + "' names one object twice");
+      }
       pairs_.push_back(MakePair(std::string(name.substr(0, end)),
                                 std::string(name.substr(end + 1))));
       if (!known.emplace(pairs_.back(), Relation{}).second) {

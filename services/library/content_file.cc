@@ -22,10 +22,12 @@ void ExportContent(const std::filesystem::path& file,
 
 LibraryContent ReadContent(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  std::stringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
+  if (!stream || std::filesystem::is_directory(file)) {
     throw StoreError(file.string() + ": cannot be read");
   }
+  std::stringstream text;
+  if (stream.peek() != std::ifstream::traits_type::eof())
+    text << stream.rdbuf();
   try {
     return ContentFromText(text.str(), file.string());
   } catch (const std::invalid_argument& e) {

@@ -16,12 +16,11 @@ constexpr char kFormat[] = "actions of a cell";
 constexpr int kNewestFormat = 4;
 
 void RequireFormat(const nlohmann::json& content, const std::string& file) {
-  if (content.is_discarded()) FailAt(file, "is not JSON");
   if (!content.is_object()) FailAt(file, "should be an object");
   if (TextAt(content, "format", file) != kFormat) {
     FailAt(file + ".format", fmt::format("should be '{}'", kFormat));
   }
-  const int64_t version = NumberAt(content, "version", file);
+  const int64_t version = NumberAt(content, "version", file, 0);
   if (version >= 1 && version <= kNewestFormat) return;
   const auto build = content.find("build");
   FailAt(file + ".version",
@@ -44,7 +43,7 @@ void ReadActions(const nlohmann::json& json, int64_t version,
 
 void ReadExperiences(const nlohmann::json& json, const std::string& file,
                      LibraryContent* content) {
-  content->last_experience = NumberAt(json, "last_experience", file);
+  content->last_experience = NumberAt(json, "last_experience", file, 0);
   int64_t last = 0;
   for (const nlohmann::json& item : ListAt(json, "experiences", file)) {
     const std::string where =
@@ -80,9 +79,9 @@ std::string TextOfContent(const LibraryContent& content) {
 
 LibraryContent ContentFromText(const std::string& text,
                                const std::string& file) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json json = ParseJson(text, file);
   RequireFormat(json, file);
-  const int64_t version = NumberAt(json, "version", file);
+  const int64_t version = NumberAt(json, "version", file, 0);
   std::vector<std::string_view> keys = {"format", "version", "build",
                                         "actions"};
   if (version >= 4) keys.insert(keys.end(), {"last_experience", "experiences"});

@@ -41,7 +41,7 @@ ExperienceRecord ExperienceFromJson(const nlohmann::json& object,
       object, where,
       {"id", "action", "objects", "agent", "before", "after", "demonstration"});
   ExperienceRecord experience;
-  experience.id = NumberAt(object, "id", where);
+  experience.id = NumberAt(object, "id", where, 1);
   experience.action = TextAt(object, "action", where);
   experience.objects = TextsAt(object, "objects", where);
   experience.agent = TextAt(object, "agent", where);

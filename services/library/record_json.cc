@@ -51,8 +51,8 @@ ActionRecord RecordFromJson(const json& object, const std::string& where) {
   for (const TextKey& entry : kTexts) keys.push_back(entry.key);
   RequireObject(object, where, keys);
   ActionRecord record;
-  record.id = NumberAt(object, "id", where);
-  record.version = NumberAt(object, "version", where);
+  record.id = NumberAt(object, "id", where, 0);
+  record.version = NumberAt(object, "version", where, 0);
   if (record.version < 1 || record.version > ActionRecord::kMaxVersion) {
     FailAt(where + ".version",
            fmt::format("is not 1 to {}", ActionRecord::kMaxVersion));

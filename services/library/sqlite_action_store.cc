@@ -62,6 +62,9 @@ std::optional<LibraryCopy> CopyIfLocked(const std::filesystem::path& file,
     return std::nullopt;
   }
   if (!is_there) Fail(file, "there is no such library");
+  if (std::filesystem::is_empty(file, error)) {
+    Fail(file, "is empty; name a library");
+  }
   if (!is_locked) return std::nullopt;
   try {
     return std::make_optional<LibraryCopy>(file);
@@ -142,6 +145,7 @@ SqliteActionStore::SqliteActionStore(const std::filesystem::path& file,
 SqliteActionStore::~SqliteActionStore() = default;
 
 StoredIds SqliteActionStore::Apply(const StoreEdit& edit, int32_t tick) {
+  RequireWritable();
   return Guarded([&] {
     SQLite::Transaction transaction(*database_);
     StoredIds ids{InsertRecords(edit.records, tick), {}};
@@ -154,6 +158,10 @@ StoredIds SqliteActionStore::Apply(const StoreEdit& edit, int32_t tick) {
     transaction.commit();
     return ids;
   });
+}
+
+void SqliteActionStore::RequireWritable() const {
+  if (copy_) Fail(file_, kLocked);
 }
 
 /// Within a transaction.
@@ -258,6 +266,7 @@ int64_t SqliteActionStore::Count() const {
 }
 
 void SqliteActionStore::BeginRun() {
+  RequireWritable();
   Guarded([&] {
     SQLite::Transaction transaction(*database_);
     SQLite::Statement update(*database_,
@@ -274,6 +283,7 @@ void SqliteActionStore::BeginRun() {
 }
 
 void SqliteActionStore::RollBackTo(int32_t tick) {
+  RequireWritable();
   Guarded([&] {
     SQLite::Transaction transaction(*database_);
     SQLite::Statement remove(*database_, "DELETE FROM action WHERE tick >= ?");
@@ -285,6 +295,7 @@ void SqliteActionStore::RollBackTo(int32_t tick) {
 }
 
 void SqliteActionStore::BeginChange(const std::string& what) {
+  RequireWritable();
   const std::string before = TextOfContent({.actions = All()});
   Guarded([&] {
     SQLite::Transaction transaction(*database_);

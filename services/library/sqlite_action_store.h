@@ -23,7 +23,7 @@ class SqliteActionStore final : public ActionStore {
   enum class Mode {
     kCreate,   ///< makes the file if it is not there
     kExisting  ///< it must be there; where this user cannot write, a copy of
-               ///< it is read, and what is stored goes to the copy
+               ///< it is read, and nothing can be stored
   };
 
   /// Checks the file and brings it to the newest schema. @throws StoreError
@@ -56,6 +56,8 @@ class SqliteActionStore final : public ActionStore {
                                      int32_t tick);
   template <class Function>
   auto Guarded(Function function) const;
+  /// @throws StoreError if this user cannot write the file
+  void RequireWritable() const;
 
   std::filesystem::path file_;
   std::optional<LibraryCopy> copy_;  // outlives the database

@@ -1,6 +1,9 @@
 #include "services/library/strict_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace cell::library {
@@ -18,6 +21,19 @@ const nlohmann::json& EntryAt(const nlohmann::json& object,
 
 void FailAt(const std::string& where, const std::string& what) {
   throw std::invalid_argument(where + ": " + what);
+}
+
+nlohmann::json ParseJson(const std::string& text, const std::string& file) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    const auto end = text.begin() +
+                     static_cast<std::ptrdiff_t>(std::min(e.byte, text.size()));
+    FailAt(fmt::format("{}:{}", file, 1 + std::count(text.begin(), end, '\n')),
+           "is not JSON");
+  } catch (const nlohmann::json::out_of_range&) {
+    FailAt(file, "is not JSON: a number in it is too large");
+  }
 }
 
 void RequireObject(const nlohmann::json& value, const std::string& where,
@@ -59,10 +75,17 @@ std::vector<std::string> TextsAt(const nlohmann::json& object,
 }
 
 int64_t NumberAt(const nlohmann::json& object, const std::string& key,
-                 const std::string& where) {
+                 const std::string& where, int64_t least) {
   const nlohmann::json& value = EntryAt(object, key, where);
-  if (!value.is_number_integer()) {
-    FailAt(where + "." + key, "should be a whole number");
+  constexpr uint64_t kMost = std::numeric_limits<int64_t>::max();
+  const bool is_number =
+      value.is_number_unsigned()
+          ? value.get<uint64_t>() <= kMost &&
+                static_cast<int64_t>(value.get<uint64_t>()) >= least
+          : value.is_number_integer() && value.get<int64_t>() >= least;
+  if (!is_number) {
+    FailAt(where + "." + key,
+           fmt::format("should be a whole number from {} on", least));
   }
   return value.get<int64_t>();
 }

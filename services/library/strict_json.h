@@ -8,6 +8,10 @@
 
 namespace cell::library {
 
+/// @throws std::invalid_argument "file:line: is not JSON"; without a line for a
+/// number that is too large.
+nlohmann::json ParseJson(const std::string& text, const std::string& file);
+
 /// Reading of JSON that lets nothing pass: every key must be there with a value
 /// of its type, and no other. `where` begins each error, e.g.
 /// "library.json:actions[3]".
@@ -22,8 +26,9 @@ const nlohmann::json& ListAt(const nlohmann::json& object,
 std::vector<std::string> TextsAt(const nlohmann::json& object,
                                  const std::string& key,
                                  const std::string& where);
+/// @throws std::invalid_argument also for a number below `least`
 int64_t NumberAt(const nlohmann::json& object, const std::string& key,
-                 const std::string& where);
+                 const std::string& where, int64_t least);
 
 /// @param indent  -1: on one line
 /// @throws std::invalid_argument for a text that is not UTF-8.

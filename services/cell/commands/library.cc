@@ -239,13 +239,16 @@ int Import(const LibraryOptions& options) {
   const LibraryContent content = ReadContent(options.file);
   const auto check =
       RecordCheck::FromTask(FindCellFiles(options.deploy_dir).deployment);
-  SqliteActionStore store(DatabaseOf(options),
-                          SqliteActionStore::Mode::kCreate);
+  const auto database = DatabaseOf(options);
+  LibraryContent known;
+  if (std::filesystem::exists(database)) {
+    known = OpenExisting(options).Content();
+  }
   const StoreEdit fresh{
-      .records = NewOnes(content.actions, check, MemoryActionStore(store.All()),
-                         options.file),
-      .experiences =
-          NewExperiences(content, store.Content(), check, options.file)};
+      .records = NewOnes(content.actions, check,
+                         MemoryActionStore(known.actions), options.file),
+      .experiences = NewExperiences(content, known, check, options.file)};
+  SqliteActionStore store(database, SqliteActionStore::Mode::kCreate);
   store.BeginChange("cell library import " + options.file);
   const StoredIds ids = store.Apply(fresh, kBeforeRun);
   for (size_t i = 0; i < ids.records.size(); ++i) {

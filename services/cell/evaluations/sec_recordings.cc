@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,7 +35,11 @@ std::unique_ptr<ChainSimilarity> MakeMeasure(const std::string& name) {
 std::vector<SecRecording> ReadRecordings(const std::vector<std::string>& paths,
                                          double threshold) {
   std::vector<SecRecording> recordings;
+  std::set<std::filesystem::path> files;
   for (const std::string& path : paths) {
+    if (!files.insert(std::filesystem::weakly_canonical(path)).second) {
+      throw std::invalid_argument(path + ": is named twice");
+    }
     const std::string name = std::filesystem::path(path).stem().string();
     recordings.push_back({name, name.substr(0, name.rfind('_')),
                           ChainFromTable(TextOf(path), threshold, path)});

@@ -278,7 +278,7 @@ TEST_F(Records, AreReadStrictlyFromJson) {
     }
   };
   EXPECT_EQ(complaint("\"id\"", "\"id\""), "");
-  EXPECT_THAT(complaint("{", ""), HasSubstr("a.json: is not JSON"));
+  EXPECT_THAT(complaint("{", ""), HasSubstr("a.json:2: is not JSON"));
   EXPECT_THAT(complaint("\"version\": 4", "\"version\": 5"),
               testing::AllOf(HasSubstr("a.json.version: is 5; this build ("),
                              HasSubstr("reads 1 to 4; use build ")));

@@ -63,7 +63,12 @@ TEST(ExperienceJson, IsReadStrictly) {
               HasSubstr("a.json:experiences[4].id: is 13; ids ascend from 1 to "
                         "last_experience, 12"));
   EXPECT_THAT(ComplaintOf("\"last_experience\": 12", "\"last_experience\": -1"),
-              HasSubstr("a.json:experiences[0].id: is 2"));
+              HasSubstr("a.json.last_experience: should be a whole number from "
+                        "0 on"));
+  EXPECT_THAT(ComplaintOf("\"id\": 4", "\"id\": 4e999"),
+              HasSubstr("a.json: is not JSON: a number in it is too large"));
+  EXPECT_THAT(ComplaintOf("\"id\": 4", "\"id\": 9223372036854775808"),
+              HasSubstr("a.json:experiences[1].id: should be a whole number"));
 }
 
 TEST(ExperienceJson, AnAtomThatIsNoneIsNamed) {

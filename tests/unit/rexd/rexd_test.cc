@@ -44,6 +44,15 @@ TEST(RexdTask, RefusesEffectsForEachObject) {
   }
 }
 
+TEST(RexdTask, AnObjectIsNamedOnce) {
+  try {
+    ParseRexdTask("objects: a b a\nstart:\ngoal: p(a)\np 1 primitive\n", "t");
+    ADD_FAILURE();
+  } catch (const RuleError& error) {
+    EXPECT_STREQ(error.what(), "t:1: 'a' is there twice");
+  }
+}
+
 /// Of ParseChangedTask().
 std::string ComplaintOf(const std::string& changes) {
   try {
@@ -83,6 +92,8 @@ TEST(ChangedTask, NamesTheLineOfAMistake) {
               testing::AllOf(testing::StartsWith("c:3:"),
                              testing::HasSubstr("'goal:' is there twice")));
   EXPECT_THAT(ComplaintOf("goal:"), testing::HasSubstr("the goal is empty"));
+  EXPECT_THAT(ComplaintOf("goal: placed(red) -placed(red)"),
+              testing::HasSubstr("wants 'placed' to hold and not to hold"));
   EXPECT_THAT(ComplaintOf("start: closed()"),
               testing::AllOf(testing::StartsWith("c:1:"),
                              testing::HasSubstr("expected 'changes: ...'")));

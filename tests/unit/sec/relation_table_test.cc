@@ -46,6 +46,7 @@ TEST(RelationTable, NamesFileAndLineOfWhatIsWrong) {
       {"frame,ab\n", "t.csv:1: ", "'ab' names no pair"},
       {"frame,a_\n", "t.csv:1: ", "'a_' names no pair"},
       {"frame,a_b,b_a\n", "t.csv:1: ", "twice"},
+      {"frame,a_b,a_a\n", "t.csv:1: ", "'a_a' names one object twice"},
       {"frame,a_b\n", "t.csv:2: ", "no frame"},
       {"frame,a_b\n0,1\n1,1\n", "t.csv:4: ", "no relation changes"},
       {"frame,a_b\n0,1\n1,0,1\n", "t.csv:3: ", "3 values"},
