@@ -62,7 +62,7 @@ struct Part {
   bool is_free() const { return !is_fixed && !joint; }
 };
 
-/// All parts of a task (DESIGN contract 8).
+/// All parts of a task.
 class PartTable {
  public:
   /// @throws ConfigError naming file:key for unknown or missing keys and for
