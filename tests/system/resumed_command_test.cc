@@ -1,6 +1,7 @@
 // Long commands that go on after an interruption, as users run them.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,7 +13,9 @@
 namespace cell {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class ResumedCommand : public RunCell {
  protected:
@@ -84,8 +87,8 @@ TEST_F(ResumedCommand, RulesAreLearnedFurtherAsIfNothingHadHappened) {
   const ShellResult first = Cell("rules learn . --rows rows --out first");
   ASSERT_EQ(first.code, 0) << first.output;
   const std::string rows = Read("rows");
-  const size_t end = rows.find('\n') + 1;
-  ASSERT_LT(end, rows.size()) << "one action only";
+  const size_t end = rows.rfind('\n', rows.size() - 2) + 1;
+  ASSERT_EQ(std::ranges::count(rows, '\n'), 3) << "two actions";
   // As if it had been killed while it wrote the second row.
   Write("rows", rows.substr(0, end + 5));
   const ShellResult second =
@@ -96,6 +99,74 @@ TEST_F(ResumedCommand, RulesAreLearnedFurtherAsIfNothingHadHappened) {
   EXPECT_EQ(Read("first"), Read("whole"));
   EXPECT_EQ(Read("second"), Read("whole"));
   EXPECT_THAT(Cell("rules learn . --rows rows").output, HasSubstr("--resume"));
+}
+
+// How many runs there are may change, nothing else.
+TEST_F(ResumedCommand, AnEvaluationGoesOnWithTheSameOptionsOnly) {
+  const std::string eval = "eval rexd --success 1 --rows rows --episodes ";
+  const ShellResult first = Cell(eval + "1 --runs 1");
+  ASSERT_EQ(first.code, 0) << first.output;
+  const std::string rows = Read("rows");
+  const auto expect_refused = [&](const std::string& command,
+                                  const std::string& why) {
+    const ShellResult result = Cell(command + " --resume");
+    EXPECT_EQ(result.code, 1) << command;
+    EXPECT_THAT(result.output, AllOf(HasSubstr("rows: "), HasSubstr(why),
+                                     HasSubstr("another --rows")))
+        << command;
+    EXPECT_THAT(result.output, Not(HasSubstr("success"))) << "no figures";
+    EXPECT_EQ(Read("rows"), rows) << command;
+  };
+  expect_refused(eval + "2", "--episodes was 1, now it is 2");
+  expect_refused(eval + "1 --teacher noisy", "--teacher was sure");
+  expect_refused(eval + "1 --without types", "--without was none");
+  expect_refused(eval + "1 --skip-no-ops", "--skip-no-ops was no");
+  Write("task", TextOf(std::string(CELL_SOURCE_DIR) +
+                       "/deploy/tasks/cranfield/learning/dead_ends.rules"));
+  expect_refused(eval + "1 --task-file task", "the task file is another");
+  expect_refused("eval watch --rows rows", "they are of 'cell eval rexd'");
+  expect_refused("eval excuses --rows rows", "they are of 'cell eval rexd'");
+  const ShellResult more = Cell(eval + "1 --runs 2 --jobs 1 --resume");
+  EXPECT_EQ(more.code, 0) << more.output;
+  EXPECT_TRUE(Read("rows").starts_with(rows)) << "the row that was there";
+}
+
+TEST_F(ResumedCommand, AnEvaluationGoesOnWithTheSameFilesOnly) {
+  std::filesystem::copy(std::string(CELL_SOURCE_DIR) + "/deploy",
+                        dir_ / "deploy",
+                        std::filesystem::copy_options::recursive);
+  const std::string eval =
+      "eval sufficient --deploy deploy --runs 1 --rows rows";
+  EXPECT_THAT(Cell(eval).output, HasSubstr("(1 of 1 runs)"));
+  EXPECT_THAT(Cell(eval + " --resume").output, HasSubstr("(1 of 1 runs)"));
+  std::ofstream(dir_ / "deploy/config/tracker.yaml", std::ios::app) << "\n";
+  const ShellResult changed = Cell(eval + " --resume");
+  EXPECT_EQ(changed.code, 1);
+  EXPECT_THAT(changed.output, HasSubstr("config/tracker.yaml is another"));
+}
+
+TEST_F(ResumedCommand, RulesOfARowThatAreNoRulesAreNamed) {
+  Write("symbols.dat",
+        "lift 1 action binary\nfree 1 primitive binary\n"
+        "held 1 primitive binary\n");
+  Write("data.dat", "free(1)\nlift(1)\nheld(1)\n");
+  const std::string learn = "rules learn . --rows rows";
+  ASSERT_EQ(Cell(learn).code, 0);
+  const std::string rows = Read("rows");
+  const std::string header = rows.substr(0, rows.find('\n') + 1);
+  for (const char* fields : {R"("rules":"foo","score":1)",
+                             R"("rules":7,"score":1)", R"("rules":"")"}) {
+    Write("rows", header + "{\"key\":\"lift\"," + fields + "}\n");
+    const ShellResult result = Cell(learn + " --resume");
+    EXPECT_EQ(result.code, 1) << fields;
+    EXPECT_THAT(result.output, AllOf(HasSubstr("rows: line 2: row 'lift': "),
+                                     Not(HasSubstr("json.exception"))));
+  }
+  Write("data.dat", "free(1)\nlift(1)\nheld(1)\nlift(1)\nheld(1)\n");
+  EXPECT_THAT(Cell(learn + " --resume").output,
+              HasSubstr("the file of experiences is another"));
+  EXPECT_THAT(Cell("eval rules . --rows rows --resume").output,
+              HasSubstr("they are of 'cell rules learn'"));
 }
 
 }  // namespace

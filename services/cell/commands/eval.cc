@@ -13,6 +13,7 @@
 #include "services/cell/commands/commands.h"
 #include "services/cell/commands/eval_sec.h"
 #include "services/cell/commands/eval_shown.h"
+#include "services/cell/commands/row_files.h"
 #include "services/cell/evaluations/evaluation.h"
 #include "services/cell/evaluations/missing_runs.h"
 #include "services/cell/evaluations/row_store.h"
@@ -54,6 +55,17 @@ CellFiles FilesFor(const EvalOptions& options) {
   }
   CheckTask(files);
   return files;
+}
+
+/// The key of a row says which group and seed it is of.
+RowIdentity IdentityOf(const EvalOptions& options, const CellFiles& files) {
+  RowIdentity identity{"eval " + options.evaluation->name(), {}, {}};
+  AddDeployment(files.deployment, &identity);
+  return identity;
+}
+
+RowShape ShapeOf(const Evaluation& evaluation) {
+  return evaluation.row_shape().With({{"group", RowShape::kText}});
 }
 
 json RunTrial(const EvalOptions& options, const CellFiles& files,
@@ -181,17 +193,17 @@ int RunEval(const EvalOptions& options) {
                                              options.group.empty() ? "" : "-",
                                              options.group, options.seed)
                                : options.rows_file;
-  RowStore store(path, options.is_resumed);
+  RowStore store({.path = path,
+                  .is_resumed = options.is_resumed,
+                  .identity = IdentityOf(options, files),
+                  .shape = ShapeOf(*options.evaluation)});
   std::vector<std::string> keys;
   for (const Trial& trial : trials) keys.push_back(KeyOf(trial));
   DoMissingRuns(
       keys, options.jobs,
       [&](size_t i) { return RunTrial(options, files, trials[i]); }, &store);
 
-  std::vector<json> rows;
-  for (const std::string& key : keys) {
-    if (store.Has(key)) rows.push_back(store.At(key));
-  }
+  const std::vector<json> rows = store.RowsOf(keys);
   const auto measures = MeasuresOf(options, rows);
   const auto figures = FiguresOf(options, rows);
   Print(measures);

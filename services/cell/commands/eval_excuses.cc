@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
@@ -45,16 +46,21 @@ std::filesystem::path FileOf(const EvalExcusesOptions& options) {
          "learning/placements.rules";
 }
 
-std::unique_ptr<DamagedDomain> LoadDomain(const EvalExcusesOptions& options) {
+/// Adds the files to the identity of the rows.
+std::unique_ptr<DamagedDomain> LoadDomain(const EvalExcusesOptions& options,
+                                          RowIdentity* identity) {
   const std::string path = FileOf(options).string();
+  const std::string text = TextOfFile(path);
   if (options.ppddl_files.empty()) {
-    return std::make_unique<DamagedRules>(
-        rexd::ParseRexdTask(TextOfFile(path), path));
+    identity->AddFile("the task file", text);
+    return std::make_unique<DamagedRules>(rexd::ParseRexdTask(text, path));
   }
   const std::string& domain_path = options.ppddl_files[0];
-  ppddl::Domain domain =
-      ppddl::ParseDomain(TextOfFile(domain_path), domain_path);
-  ppddl::Problem problem = ppddl::ParseProblem(TextOfFile(path), path, domain);
+  const std::string domain_text = TextOfFile(domain_path);
+  identity->AddFile("the domain file", domain_text);
+  identity->AddFile("the problem file", text);
+  ppddl::Domain domain = ppddl::ParseDomain(domain_text, domain_path);
+  ppddl::Problem problem = ppddl::ParseProblem(text, path, domain);
   return std::make_unique<DamagedPpddl>(std::move(domain), std::move(problem));
 }
 
@@ -82,19 +88,20 @@ void ShowFailures(const std::vector<json>& rows) {
 
 int EvalExcuses(const EvalExcusesOptions& options) {
   if (!options.csv_file.empty()) RequireFree(options.csv_file, kAnotherCsv);
-  const auto domain = LoadDomain(options);
+  RowIdentity identity{"eval excuses", {}, {}};
+  const auto domain = LoadDomain(options, &identity);
   std::vector<std::string> keys;
   for (int i = 0; i < options.states; ++i) {
     keys.push_back(std::to_string(options.seed + static_cast<uint64_t>(i)));
   }
-  RowStore store(RowsFile(options), options.is_resumed);
+  RowStore store({.path = RowsFile(options),
+                  .is_resumed = options.is_resumed,
+                  .identity = std::move(identity),
+                  .shape = ExcuseRowShape()});
   DoMissingRuns(
       keys, options.jobs,
       [&](size_t i) { return ExcuseRow(*domain, options.seed + i); }, &store);
-  std::vector<json> rows;
-  for (const std::string& key : keys) {
-    if (store.Has(key)) rows.push_back(store.At(key));
-  }
+  const std::vector<json> rows = store.RowsOf(keys);
   const auto figures = SummariseExcuses(rows);
   std::cout << ExcuseText(figures);
   ShowFailures(rows);

@@ -68,10 +68,11 @@ int EvalCurve(const EvalRexdOptions& options, LearningCurveOptions curve) {
 }
 
 int EvalEpisodes(const EvalRexdOptions& options) {
-  const rexd::RexdTask task = LoadRexdTask(options);
-  const RexdTrialRows rows = RunTrials(options, [&](const RexdTrial& trial) {
-    return RunTrial(task, options, trial);
-  });
+  RowIdentity identity = IdentityOf(options);
+  const rexd::RexdTask task = LoadRexdTask(options, &identity);
+  const RexdTrialRows rows = RunTrials(
+      options, identity, RexdRowShape(options.episodes),
+      [&](const RexdTrial& trial) { return RunTrial(task, options, trial); });
   Report(options, task, rows.groups);
   if (!options.csv_file.empty()) {
     std::cout << WritePlottedTable(

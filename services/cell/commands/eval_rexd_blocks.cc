@@ -56,14 +56,16 @@ void ReportBlocks(const EvalRexdOptions& options, const BlockPlan& plan,
 }  // namespace
 
 int EvalBlocks(const EvalRexdOptions& options) {
-  const std::vector<rexd::RexdTask> blocks = LoadBlocks(options);
+  RowIdentity identity = IdentityOf(options);
+  const std::vector<rexd::RexdTask> blocks = LoadBlocks(options, &identity);
   BlockPlan plan{{}, FloorsOf(blocks), options.episodes};
   for (const std::string& block : options.blocks) {
     plan.names.push_back(NameOfBlock(block));
   }
-  const RexdTrialRows rows = RunTrials(options, [&](const RexdTrial& trial) {
-    return RunBlocks(blocks, ParamsOf(options, trial));
-  });
+  const RexdTrialRows rows = RunTrials(
+      options, identity, BlocksRowShape(plan), [&](const RexdTrial& trial) {
+        return RunBlocks(blocks, ParamsOf(options, trial));
+      });
   ReportBlocks(options, plan, rows.groups);
   if (!options.csv_file.empty()) {
     std::cout << WritePlottedTable(

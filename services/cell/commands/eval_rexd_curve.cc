@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "common/files/draft.h"
 #include "common/rexd/explorer.h"
@@ -30,18 +31,26 @@ struct Problems {
   std::vector<rexd::RexdTask> tests;
 };
 
-rexd::RexdTask LoadProblem(const rexd::PpddlText& domain,
-                           const std::string& file) {
-  return rexd::ParseRexdTask(
-      rexd::TaskOfPpddl(domain, {TextOfFile(file), file}), file);
-}
-
-Problems LoadProblems(const LearningCurveOptions& options) {
-  const rexd::PpddlText domain{TextOfFile(options.domain_file),
-                               options.domain_file};
-  Problems problems{LoadProblem(domain, options.learn_file), {}};
+/// Adds the files, and what else changes a row but its seed, to the identity of
+/// the rows.
+Problems LoadProblems(const LearningCurveOptions& options,
+                      RowIdentity* identity) {
+  identity->options = {{"--actions", std::to_string(options.num_actions)},
+                       {"--every", std::to_string(options.interval)}};
+  const auto read = [&](const std::string& file, const std::string& name) {
+    const std::string text = TextOfFile(file);
+    identity->AddFile(name, text);
+    return rexd::PpddlText{text, file};
+  };
+  const rexd::PpddlText domain = read(options.domain_file, "the domain file");
+  const auto load = [&](const std::string& file, const std::string& name) {
+    return rexd::ParseRexdTask(rexd::TaskOfPpddl(domain, read(file, name)),
+                               file);
+  };
+  Problems problems{load(options.learn_file, "the file of --learn-in"), {}};
   for (const std::string& file : options.test_files) {
-    problems.tests.push_back(LoadProblem(domain, file));
+    problems.tests.push_back(load(
+        file, fmt::format("file {} of --test-on", problems.tests.size() + 1)));
   }
   return problems;
 }
@@ -120,8 +129,13 @@ int EvalLearningCurve(const LearningCurveOptions& options) {
     RequireFree(options.csv_file, kAnotherCurve);
     RequireFree(PictureOf(options.csv_file), kAnotherCurve);
   }
-  const Problems problems = LoadProblems(options);
-  RowStore store(RowsFile(options), options.is_resumed);
+  RowIdentity identity{"eval rexd --ppddl", {}, {}};
+  const Problems problems = LoadProblems(options, &identity);
+  RowStore store(
+      {.path = RowsFile(options),
+       .is_resumed = options.is_resumed,
+       .identity = std::move(identity),
+       .shape = CurveRowShape(options.num_actions / options.interval)});
   std::vector<std::string> keys;
   for (int i = 0; i < options.runs; ++i) {
     keys.push_back(std::to_string(options.seed + static_cast<uint64_t>(i)));
@@ -132,10 +146,7 @@ int EvalLearningCurve(const LearningCurveOptions& options) {
         return LearnAndTest(problems, options, options.seed + i);
       },
       &store);
-  std::vector<json> rows;
-  for (const std::string& key : keys) {
-    if (store.Has(key)) rows.push_back(store.At(key));
-  }
+  const std::vector<json> rows = store.RowsOf(keys);
   const auto curve = LearningCurve(rows, options.interval,
                                    static_cast<int>(problems.tests.size()));
   std::cout << CurveText(curve);

@@ -1,8 +1,10 @@
 #include "services/cell/commands/eval_rexd_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "common/node/cell_files.h"
@@ -76,25 +78,50 @@ std::string RowsFile(const EvalRexdOptions& options) {
   return fmt::format("{}-seed{}.jsonl", name, options.seed);
 }
 
-rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options) {
+RowIdentity IdentityOf(const EvalRexdOptions& options) {
+  const std::set<std::string> without(options.without.begin(),
+                                      options.without.end());
+  std::vector<std::string> blocks;
+  for (const std::string& block : options.blocks) {
+    blocks.push_back(NameOfBlock(block));
+  }
+  const auto listed = [](const auto& names) {
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
+  };
+  return {"eval rexd",
+          {{"--teacher", options.teacher},
+           {"--without", listed(without)},
+           {"--skip-no-ops", options.explores_no_ops ? "no" : "yes"},
+           {"--episodes", std::to_string(options.episodes)},
+           {"--blocks", listed(blocks)}},
+          {}};
+}
+
+rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options,
+                            RowIdentity* identity) {
   const char* shipped =
       options.blocks.empty() ? "placements.rules" : "changed_tasks.rules";
   const fs::path path = options.task_file.empty()
                             ? LearningFolder(options) / shipped
                             : fs::path(options.task_file);
-  rexd::RexdTask task = rexd::ParseRexdTask(TextOfFile(path), path.string());
+  const std::string text = TextOfFile(path);
+  identity->AddFile("the task file", text);
+  rexd::RexdTask task = rexd::ParseRexdTask(text, path.string());
   if (IsWithout(options, "fits")) task = rexd::WithoutPredicate(task, "fits");
   if (IsWithout(options, "types")) task = rexd::WithoutTypes(task);
   return task;
 }
 
-std::vector<rexd::RexdTask> LoadBlocks(const EvalRexdOptions& options) {
-  const rexd::RexdTask task = LoadRexdTask(options);
+std::vector<rexd::RexdTask> LoadBlocks(const EvalRexdOptions& options,
+                                       RowIdentity* identity) {
+  const rexd::RexdTask task = LoadRexdTask(options, identity);
   std::vector<rexd::RexdTask> blocks;
   for (const std::string& block : options.blocks) {
     const fs::path file = FindBlock(options, block);
-    blocks.push_back(
-        rexd::ParseChangedTask(task, TextOfFile(file), file.string()));
+    const std::string text = TextOfFile(file);
+    identity->AddFile(fmt::format("the file of block {}", blocks.size() + 1),
+                      text);
+    blocks.push_back(rexd::ParseChangedTask(task, text, file.string()));
   }
   return blocks;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/rexd/rexd_run.h"
+#include "services/cell/evaluations/row_identity.h"
 
 namespace cell::cli {
 
@@ -43,13 +44,19 @@ rexd::RunParams ParamsOf(const EvalRexdOptions& options,
 /// changes a run.
 std::string RowsFile(const EvalRexdOptions& options);
 
-/// The file of the options, or else the task's.
+/// Of the rows: the options that change one but what RexdTrial::Key() says. The
+/// files are added as they are loaded.
+RowIdentity IdentityOf(const EvalRexdOptions& options);
+
+/// The file of the options, or else the task's, which is added to `identity`.
 /// @throws RuleError, std::runtime_error naming the file
-rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options);
-/// The tasks of the blocks. One that is no file is looked for in learning/ of
-/// the task.
+rexd::RexdTask LoadRexdTask(const EvalRexdOptions& options,
+                            RowIdentity* identity);
+/// The tasks of the blocks, whose files are added to `identity`, too. One that
+/// is no file is looked for in learning/ of the task.
 /// @throws RuleError, std::runtime_error naming the file
-std::vector<rexd::RexdTask> LoadBlocks(const EvalRexdOptions& options);
+std::vector<rexd::RexdTask> LoadBlocks(const EvalRexdOptions& options,
+                                       RowIdentity* identity);
 /// "NAME" of "learning/NAME.rules".
 std::string NameOfBlock(const std::string& file);
 

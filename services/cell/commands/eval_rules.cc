@@ -8,6 +8,7 @@
 #include "common/node/number_option.h"
 #include "common/rules/learning/learner.h"
 #include "services/cell/commands/commands.h"
+#include "services/cell/commands/row_files.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/commands/rules_options.h"
 #include "services/cell/evaluations/missing_runs.h"
@@ -63,12 +64,22 @@ json LearnWithSeed(const rules::ExperienceSet& set,
           {"seconds", seconds},          {"log_p", log_p}};
 }
 
-/// Of everything that changes a row but the experiences themselves.
-std::string SeedKeyOf(const rules::LearnerOptions& options,
-                      const rules::ExperienceSet& set, int num_folds) {
-  return fmt::format("{} experiences, {} folds, {}/{}/{}, seed {}",
-                     set.experiences.size(), num_folds, options.alpha,
-                     options.p_min, options.p_min_default, options.seed);
+/// The key of a row is its seed.
+RowIdentity IdentityOf(const EvalRulesOptions& options, int num_folds) {
+  RowIdentity identity{"eval rules", OptionTexts(options.learner), {}};
+  identity.options["--folds"] = std::to_string(num_folds);
+  AddExperiences(FilesOfExperiences(options.data, options.symbols), &identity);
+  return identity;
+}
+
+RowShape SeedRowShape() {
+  using enum RowShape::Kind;
+  return RowShape::Record({{"seed", kSeed},
+                           {"score", kNumber},
+                           {"rules", kWhole},
+                           {"literals", kWhole},
+                           {"seconds", kNumber},
+                           {"log_p", kNumber}});
 }
 
 std::vector<json> SeedRowsOf(const EvalRulesOptions& options,
@@ -89,14 +100,14 @@ std::vector<json> SeedRowsOf(const EvalRulesOptions& options,
   }
   std::vector<std::string> keys;
   for (size_t i = 0; i < num_seeds; ++i) {
-    keys.push_back(SeedKeyOf(WithSeed(options, i), set, num_folds));
+    keys.push_back(std::to_string(WithSeed(options, i).seed));
   }
-  RowStore store(options.rows_file, options.is_resumed);
+  RowStore store({.path = options.rows_file,
+                  .is_resumed = options.is_resumed,
+                  .identity = IdentityOf(options, num_folds),
+                  .shape = SeedRowShape()});
   DoMissingRuns(keys, options.jobs, run, &store);
-  for (const std::string& key : keys) {
-    if (store.Has(key)) rows.push_back(store.At(key));
-  }
-  return rows;
+  return store.RowsOf(keys);
 }
 
 int EvalRules(const EvalRulesOptions& options) {

@@ -10,22 +10,25 @@
 namespace cell::cli {
 
 RexdTrialRows RunTrials(
-    const EvalRexdOptions& options,
+    const EvalRexdOptions& options, const RowIdentity& identity,
+    const RowShape& shape,
     const std::function<nlohmann::json(const RexdTrial&)>& run) {
   const std::vector<RexdTrial> trials = TrialsOf(options);
-  RowStore store(RowsFile(options), options.is_resumed);
+  RowStore store({.path = RowsFile(options),
+                  .is_resumed = options.is_resumed,
+                  .identity = identity,
+                  .shape = shape});
   std::vector<std::string> keys;
   for (const RexdTrial& trial : trials) keys.push_back(trial.Key());
   DoMissingRuns(
       keys, options.jobs, [&](size_t i) { return run(trials[i]); }, &store);
   RexdTrialRows rows{{}, 0, trials.size(), store.path()};
   for (const double success : options.successes) {
-    RexdGroup group{success, {}};
+    std::vector<std::string> of_group;
     for (const RexdTrial& trial : trials) {
-      if (trial.success == success && store.Has(trial.Key())) {
-        group.rows.push_back(store.At(trial.Key()));
-      }
+      if (trial.success == success) of_group.push_back(trial.Key());
     }
+    RexdGroup group{success, store.RowsOf(of_group)};
     rows.num_rows += group.rows.size();
     if (!group.rows.empty()) rows.groups.push_back(std::move(group));
   }

@@ -6,6 +6,8 @@
 
 #include "services/cell/commands/eval_rexd_options.h"
 #include "services/cell/evaluations/rexd_figures.h"
+#include "services/cell/evaluations/row_identity.h"
+#include "services/cell/evaluations/row_shape.h"
 
 namespace cell::cli {
 
@@ -20,9 +22,11 @@ struct RexdTrialRows {
 };
 
 /// Runs the trials that have no row yet in the file of rows.
+/// @param shape  of what `run` returns
 /// @throws as RowStore and DoMissingRuns() do
 RexdTrialRows RunTrials(
-    const EvalRexdOptions& options,
+    const EvalRexdOptions& options, const RowIdentity& identity,
+    const RowShape& shape,
     const std::function<nlohmann::json(const RexdTrial&)>& run);
 
 /// "rows in FILE (3 of 4 runs)"

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -13,10 +15,11 @@
 #include "common/files/draft.h"
 #include "common/node/number_option.h"
 #include "common/rules/learning/learner.h"
+#include "common/rules/rule_error.h"
 #include "common/rules/rule_text.h"
 #include "common/text/counted.h"
-#include "common/text/fingerprint.h"
 #include "common/text/printable.h"
+#include "services/cell/commands/row_files.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/commands/rules_options.h"
 #include "services/cell/evaluations/missing_runs.h"
@@ -53,14 +56,31 @@ Learned LearnFrom(const std::vector<rules::Experience>& experiences,
 
 using ByAction = std::map<int, std::vector<rules::Experience>>;
 
-/// Of everything that changes what is learned of an action.
-std::string KeyOf(const ByAction::value_type& part,
-                  const rules::ExperienceSet& set, const std::string& text,
-                  const rules::LearnerOptions& options) {
-  return fmt::format("{}, {} experiences of data {:016x}, {}/{}/{}, seed {}",
-                     set.world->symbols()[part.first].name, part.second.size(),
-                     Fingerprint(text), options.alpha, options.p_min,
-                     options.p_min_default, options.seed);
+/// The key of a row is its action.
+RowIdentity IdentityOf(const RulesLearnOptions& options) {
+  RowIdentity identity{"rules learn", OptionTexts(options.learner), {}};
+  identity.options["--seed"] = std::to_string(options.learner.seed);
+  AddExperiences(FilesOfExperiences(options.data, options.symbols), &identity);
+  return identity;
+}
+
+/// Adds the rules of a row, and its score.
+void AddRow(const RowStore& store, const std::string& key, Learned* all) {
+  const auto text = store.At(key).at("rules").get<std::string>();
+  rules::NdrRules part{all->rules.symbols, {}};
+  try {
+    for (auto& [line, rule] :
+         rules::ParseRulesOf(part.symbols, text, "rules")) {
+      part.rules.push_back(std::move(rule));
+    }
+  } catch (const rules::RuleError& e) {
+    store.FailAt(key, e.what());
+  }
+  if (rules::ToText(part) != text) {
+    store.FailAt(key, "rules: should be symbols and rules as --out has them");
+  }
+  std::ranges::move(part.rules, std::back_inserter(all->rules.rules));
+  all->score += store.At(key).at("score").get<double>();
 }
 
 /// Action by action, each kept as a row: actions are learned from apart.
@@ -72,15 +92,15 @@ Learned LearnInRows(const RulesLearnOptions& options,
   }
   const std::vector<ByAction::value_type> parts(by_action.begin(),
                                                 by_action.end());
-  const ExperienceFiles files =
-      FilesOfExperiences(options.data, options.symbols);
-  const std::string text =
-      TextOfFile(files.data) + "\n" + TextOfFile(files.symbols);
   std::vector<std::string> keys;
   for (const auto& part : parts) {
-    keys.push_back(KeyOf(part, set, text, options.learner));
+    keys.push_back(set.world->symbols()[part.first].name);
   }
-  RowStore store(options.rows_file, options.is_resumed);
+  RowStore store({.path = options.rows_file,
+                  .is_resumed = options.is_resumed,
+                  .identity = IdentityOf(options),
+                  .shape = RowShape::Record({{"rules", RowShape::kText},
+                                             {"score", RowShape::kNumber}})});
   const auto learn = [&](size_t i) -> json {
     const Learned part = LearnFrom(parts[i].second, set, options.learner);
     return {{"rules", rules::ToText(part.rules)}, {"score", part.score}};
@@ -93,12 +113,7 @@ Learned LearnInRows(const RulesLearnOptions& options,
           "not all actions were learned; repeat the "
           "command with --resume");
     }
-    const json& row = store.At(key);
-    for (auto& [line, rule] : rules::ParseRulesOf(
-             all.rules.symbols, row.at("rules"), store.path().string())) {
-      all.rules.rules.push_back(std::move(rule));
-    }
-    all.score += row.at("score").get<double>();
+    AddRow(store, key, &all);
   }
   return all;
 }

@@ -1,5 +1,7 @@
 #include "services/cell/commands/rules_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "common/node/number_option.h"
@@ -25,6 +27,13 @@ void AddLearnerOptions(CLI::App* command, rules::LearnerOptions* options) {
   command->add_option("--seed", options->seed, "order of the examples")
       ->check(NumberIn<uint64_t>())
       ->capture_default_str();
+}
+
+std::map<std::string, std::string> OptionTexts(
+    const rules::LearnerOptions& options) {
+  return {{"--alpha", fmt::format("{}", options.alpha)},
+          {"--p-min", fmt::format("{}", options.p_min)},
+          {"--p-min-default", fmt::format("{}", options.p_min_default)}};
 }
 
 }  // namespace cell::cli

@@ -99,6 +99,16 @@ class AlarmsEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    return RowShape::Counts({"actions", "warnings_due", "warned", "errors_due",
+                             "called_errors"})
+        .With({{"most_key_frames", kNumber},
+               {"most_seconds", kNumber},
+               {"remarks", RowShape::ListOf(kText)},
+               {"script", kText}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures = {
         ShareOf(rows, kDeviation, "deviations warned within one key frame",

@@ -24,6 +24,8 @@ class AssemblyEvaluation final : public Evaluation {
     return RunAssembly(kExecutionScript, trial.seed, deployment, roster);
   }
 
+  RowShape row_shape() const override { return AssemblyRowShape(); }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures = {
         RunsOf(rows, kGroup, "runs with all placements seated",

@@ -130,6 +130,21 @@ json AssemblyRow(const AssemblyObserver& observer, const MotionCheck& check,
   return row;
 }
 
+RowShape AssemblyRowShape() {
+  using enum RowShape::Kind;
+  const RowShape names = RowShape::ListOf(kText);
+  const RowShape counts = RowShape::MapOf(kWhole);
+  return RowShape::Counts({"placements_seated", "placements", "turned_home",
+                           "turned", "requests", "failed"})
+      .With({{"complete", kFlag},
+             {"state", kText},
+             {"broken", names},
+             {"touched", names},
+             {"named", names},
+             {"violations",
+              counts.With({{NameOf(Violation::Kind::kCollision), kWhole}})}});
+}
+
 bool HasKeptLimits(const json& row) {
   for (const auto& [kind, num] : row.at("violations").items()) {
     if (kind != NameOf(Violation::Kind::kCollision) && num > 0) return false;

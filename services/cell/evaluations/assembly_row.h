@@ -10,6 +10,7 @@
 #include "common/bus/sim_bus.h"
 #include "common/config/deployment.h"
 #include "common/parts/part_table.h"
+#include "services/cell/evaluations/row_shape.h"
 #include "services/cell/scoring/assembly_observer.h"
 #include "services/cell/scoring/motion_check.h"
 
@@ -38,6 +39,9 @@ std::set<std::string> PartsNamedIn(std::string text, const PartTable& parts);
 /// @pre there were enough poses for a score.
 nlohmann::json AssemblyRow(const AssemblyObserver& observer,
                            const MotionCheck& check, const PartTable& parts);
+
+/// Of such a row.
+RowShape AssemblyRowShape();
 
 /// True if the motions of the row's run kept all limits.
 bool HasKeptLimits(const nlohmann::json& row);

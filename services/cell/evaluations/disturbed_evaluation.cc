@@ -80,6 +80,10 @@ class DisturbedEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    return AssemblyRowShape().With({{"all_else_placed", RowShape::kFlag}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures = {
         RunsOf(rows, kSolvable, "runs in which a person interfered",

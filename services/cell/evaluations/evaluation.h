@@ -9,6 +9,7 @@
 
 #include "common/bus/roster.h"
 #include "common/config/deployment.h"
+#include "services/cell/evaluations/row_shape.h"
 #include "services/cell/scoring/interval.h"
 
 namespace cell::cli {
@@ -69,6 +70,9 @@ class Evaluation {
   virtual nlohmann::json RunTrial(const Trial& trial,
                                   const Deployment& deployment,
                                   const Roster& roster) const = 0;
+  /// Of a row: all that Measures() and Figures() read of it, besides the
+  /// group.
+  virtual RowShape row_shape() const = 0;
   virtual std::vector<Measure> Measures(
       const std::vector<nlohmann::json>& rows) const = 0;
   virtual std::vector<Figure> Figures(

@@ -31,6 +31,21 @@ void Add(const json& row, ExcuseFigures* figures) {
 
 }  // namespace
 
+RowShape ExcuseRowShape() {
+  using enum RowShape::Kind;
+  return RowShape::Counts({"size", "with_plan", "other"})
+      .With({{"seed", kSeed},
+             {"damage", kText},
+             {"what", kText},
+             {"excuses", kText},
+             {"text", kText},
+             {"minimal", kFlag},
+             {"holds", kFlag},
+             {"first", kFlag},
+             {"named", kFlag},
+             {"helps", kFlag}});
+}
+
 std::vector<ExcuseFigures> SummariseExcuses(const std::vector<json>& rows) {
   std::map<std::string, ExcuseFigures> by_damage;
   ExcuseFigures all{"all"};

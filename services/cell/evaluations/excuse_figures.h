@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "services/cell/evaluations/row_shape.h"
+
 namespace cell::cli {
 
 /// What ExcuseRow() says of the states of one kind of damage, or of all.
@@ -20,6 +22,9 @@ struct ExcuseFigures {
   int num_with_plan = 0;
   int num_other = 0;
 };
+
+/// Of what ExcuseRow() makes.
+RowShape ExcuseRowShape();
 
 /// One for each kind of damage that is there, in the order of their names, then
 /// one for all.

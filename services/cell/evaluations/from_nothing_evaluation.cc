@@ -67,6 +67,14 @@ class FromNothingEvaluation final : public Evaluation {
     return {{"episodes", rows}, {"taught", IsTaughtFrom(rows, kAlone)}};
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    const RowShape episode = AssemblyRowShape().With(
+        {{"questions", RowShape::ListOf(kText)}, {"demonstrations", kWhole}});
+    return RowShape::Record(
+        {{"taught", kFlag}, {"episodes", RowShape::ListOf(episode)}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures = {
         RunsOf(rows, kGroup, "assembled without a question in the third",

@@ -141,6 +141,13 @@ class GoalsEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    return AssemblyRowShape().With({{"goal", kText},
+                                    {"extra", RowShape::ListOf(kText)},
+                                    {"in_the_way", RowShape::ListOf(kText)}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {
         RunsOf(rows, kGoals,

@@ -166,6 +166,12 @@ class InsertionEvaluation final : public Evaluation {
         {"seconds", 1e-6 * static_cast<double>(observer.record().last_utime)}};
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    return RowShape::Record(
+        {{"seated", kFlag}, {"succeeded", kFlag}, {"peak_force", kNumber}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     const auto is_inserted = [](const json& row) {
       return row.at("seated").get<bool>() && row.at("succeeded").get<bool>();

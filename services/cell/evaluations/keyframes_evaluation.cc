@@ -110,6 +110,14 @@ class KeyframesEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    const RowShape score = RowShape::Counts(
+        {"true", "found", "matched", "actions", "exact", "same"});
+    RowShape::Fields fields;
+    for (const Level& level : kLevels) fields.emplace(level.name, score);
+    return RowShape::Record(fields);
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<Measure> measures;
     for (const Level& level : kLevels) {

@@ -8,6 +8,12 @@ namespace cell::cli {
 
 using nlohmann::json;
 
+RowShape CurveRowShape(int num_tests) {
+  return RowShape::Record(
+      {{"solved",
+        RowShape::ListOf(RowShape::kWhole, static_cast<size_t>(num_tests))}});
+}
+
 std::vector<CurvePoint> LearningCurve(const std::vector<json>& rows,
                                       int interval, int num_problems) {
   std::vector<CurvePoint> curve;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "services/cell/evaluations/row_shape.h"
+
 namespace cell::cli {
 
 /// How many test problems are solved with what was learned after so many
@@ -14,6 +16,9 @@ struct CurvePoint {
   double least = 0;
   double most = 0;
 };
+
+/// Of a row with this many tests.
+RowShape CurveRowShape(int num_tests);
 
 /// @param rows  of a run each: "solved", numbers of problems, one for every
 ///     `interval` actions; equally many in all rows

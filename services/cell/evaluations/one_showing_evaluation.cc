@@ -68,6 +68,10 @@ class OneShowingEvaluation final : public Evaluation {
             {"errors", score.errors}};
   }
 
+  RowShape row_shape() const override {
+    return RowShape::Counts({"steps", "recognised", "named"});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     Measure steps =
         ShareOf(rows, name(), "steps recognised", "recognised", "steps");

@@ -70,6 +70,19 @@ PairedDifference SavedIn(const RexdGroup& group, int first, int last) {
 
 }  // namespace
 
+RowShape BlocksRowShape(const BlockPlan& plan) {
+  const RowShape numbers = RowShape::ListOf(
+      RowShape::kWhole,
+      static_cast<size_t>(plan.num_blocks() * plan.num_episodes));
+  RowShape::Fields counts{{"reached", numbers}};
+  for (const char* count : kBlockCounts) counts.emplace(count, numbers);
+  RowShape::Fields fields;
+  for (const char* knowledge : kKnowledge) {
+    fields.emplace(knowledge, RowShape::Record(counts));
+  }
+  return RowShape::Record(fields);
+}
+
 std::string BlocksText(const BlockPlan& plan, const RexdGroup& group) {
   std::string text;
   for (int block = 0; block < plan.num_blocks(); ++block) {

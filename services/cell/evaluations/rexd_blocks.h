@@ -28,6 +28,9 @@ std::string BlocksText(const BlockPlan& plan, const RexdGroup& group);
 std::string BlocksCsv(const BlockPlan& plan,
                       const std::vector<RexdGroup>& groups);
 
+/// Of such a row.
+RowShape BlocksRowShape(const BlockPlan& plan);
+
 /// Commands of gnuplot that draw the CSV, with error bars of one standard
 /// deviation.
 std::string BlocksPlot(const BlockPlan& plan,

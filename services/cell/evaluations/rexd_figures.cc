@@ -133,6 +133,21 @@ MeanAndSd SummariseCount(const RexdGroup& group, const std::string& count,
   return summary;
 }
 
+RowShape RexdRowShape(int num_episodes) {
+  using enum RowShape::Kind;
+  const RowShape numbers =
+      RowShape::ListOf(kWhole, static_cast<size_t>(num_episodes));
+  const RowShape probability = RowShape::ListOf(kNumber, 2);
+  return RowShape::Counts({"states", "valid"})
+      .With({{"actions", numbers},
+             {"demonstrations", numbers},
+             {"explorations", numbers},
+             {"reached", numbers},
+             {"fatal_rules", numbers},
+             {"shown_falls", numbers},
+             {"probabilities", RowShape::MapOf(probability)}});
+}
+
 std::string RexdText(const RexdGroup& group, int num_episodes, double floor) {
   std::string text;
   for (int last = 0; last <= num_episodes; ++last) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "services/cell/evaluations/row_shape.h"
+
 namespace cell::cli {
 
 /// The runs of one success rate.
@@ -28,6 +30,9 @@ MeanAndSd SummariseCount(const RexdGroup& group, const std::string& count,
 /// of the frozen rules; probabilities by action [p, experiences].
 std::string RexdText(const RexdGroup& group, int num_episodes, double floor);
 std::string RexdCsv(const std::vector<RexdGroup>& groups, int num_episodes);
+
+/// Of such a row.
+RowShape RexdRowShape(int num_episodes);
 
 /// Commands of gnuplot that draw the CSV as Fig. 17, with error bars of one
 /// standard deviation.

@@ -13,13 +13,14 @@
 
 namespace cell::cli {
 
-RowStore::RowStore(std::filesystem::path path, bool is_resumed)
-    : path_(std::move(path)) {
-  if (path_.has_parent_path()) {
-    std::filesystem::create_directories(path_.parent_path());
+using nlohmann::json;
+
+RowStore::RowStore(Params params) : params_(std::move(params)) {
+  if (path().has_parent_path()) {
+    std::filesystem::create_directories(path().parent_path());
   }
   constexpr int kHow = O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC;
-  file_ = open(path_.c_str(), kHow, 0666);
+  file_ = open(path().c_str(), kHow, 0666);
   if (file_ < 0) {
     Fail(fmt::format("cannot be written: {}", std::strerror(errno)));
   }
@@ -27,8 +28,8 @@ RowStore::RowStore(std::filesystem::path path, bool is_resumed)
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       Fail("another evaluation writes to it; choose another --rows");
     }
-    if (!std::filesystem::is_regular_file(path_)) return;
-    if (!is_resumed && std::filesystem::file_size(path_) > 0) {
+    if (!std::filesystem::is_regular_file(path())) return;
+    if (!params_.is_resumed && std::filesystem::file_size(path()) > 0) {
       Fail(
           "already holds rows; continue with --resume, or choose another "
           "--rows");
@@ -45,28 +46,68 @@ RowStore::~RowStore() {
 }
 
 void RowStore::Fail(const std::string& what) const {
-  throw std::runtime_error(path_.string() + ": " + what);
+  throw std::runtime_error(path().string() + ": " + what);
+}
+
+void RowStore::FailAt(const std::string& key, const std::string& what) const {
+  Fail(fmt::format(
+      "line {}: row '{}': {}; remove the line to make the row anew, or choose "
+      "another --rows",
+      rows_.at(key).line, key, what));
+}
+
+void RowStore::CheckHeader(const std::optional<json>& header) const {
+  if (!header) {
+    Fail(
+        "does not say in its first line what its rows are of (older versions "
+        "did not write that); choose another --rows, or leave out --resume and "
+        "remove the file");
+  }
+  const std::string difference = DifferenceFrom(*header, params_.identity);
+  if (difference.empty()) return;
+  Fail(
+      fmt::format("its rows were made otherwise: {}; choose another --rows, "
+                  "or leave out --resume and remove the file",
+                  difference));
 }
 
 void RowStore::Load() {
-  std::ifstream file(path_, std::ios::binary);
+  std::ifstream file(path(), std::ios::binary);
   std::string line;
-  off_t num_whole = 0;  // bytes
-  for (int number = 1; std::getline(file, line); ++number) {
-    const bool is_last = file.eof();  // without an end of line
-    const auto row = nlohmann::json::parse(line, nullptr, false);
-    if (row.is_object() && row.contains("key") && row["key"].is_string()) {
-      rows_[row["key"]] = row;
-      num_whole += static_cast<off_t>(line.size()) + 1;
-      if (is_last) Write("\n");
-    } else if (is_last && line.starts_with('{')) {
-      if (ftruncate(file_, num_whole) != 0) Fail(std::strerror(errno));
+  off_t num_whole = 0;   // bytes
+  bool is_last = false;  // and without an end of line
+  bool is_torn = false;
+  std::optional<json> header;
+  for (int number = 1; !is_torn && std::getline(file, line); ++number) {
+    is_last = file.eof();
+    json row = json::parse(line, nullptr, false);
+    is_torn = is_last && row.is_discarded() &&
+              (number > 1 ? line.starts_with('{') : Header().starts_with(line));
+    if (is_torn) continue;
+    if (number == 1 && IsRowIdentity(row)) {
+      header = std::move(row);
+    } else if (row.is_object() && row.contains("key") &&
+               row["key"].is_string()) {
+      rows_[row["key"]] = {row, number};
     } else {
       Fail(
           fmt::format("line {} is not a row of an evaluation; choose another "
                       "--rows",
                       number));
     }
+    num_whole += static_cast<off_t>(line.size()) + 1;
+    num_lines_ = number;
+  }
+  if (num_lines_ > 0) CheckHeader(header);
+  for (const auto& [key, entry] : rows_) {
+    if (const auto misfit = MisfitOf(entry.row, params_.shape)) {
+      FailAt(key, *misfit);
+    }
+  }
+  if (is_torn) {
+    if (ftruncate(file_, num_whole) != 0) Fail(std::strerror(errno));
+  } else if (is_last) {
+    Write("\n");
   }
 }
 
@@ -78,11 +119,27 @@ void RowStore::Write(const std::string& text) {
   }
 }
 
-void RowStore::Append(const std::string& key, const nlohmann::json& row) {
-  nlohmann::json keyed = row;
+void RowStore::Append(const std::string& key, const json& row) {
+  json keyed = row;
   keyed["key"] = key;
-  Write(keyed.dump() + "\n");
-  rows_[key] = std::move(keyed);
+  if (const auto misfit = MisfitOf(keyed, params_.shape)) {
+    Fail(fmt::format("the row '{}' cannot be kept: {}", key, *misfit));
+  }
+  std::string lines = keyed.dump() + "\n";
+  if (num_lines_++ == 0) {
+    lines = Header() + "\n" + lines;
+    ++num_lines_;
+  }
+  Write(lines);
+  rows_[key] = {std::move(keyed), num_lines_};
+}
+
+std::vector<json> RowStore::RowsOf(const std::vector<std::string>& keys) const {
+  std::vector<json> rows;
+  for (const std::string& key : keys) {
+    if (Has(key)) rows.push_back(At(key));
+  }
+  return rows;
 }
 
 }  // namespace cell::cli

@@ -71,6 +71,14 @@ class StopsEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    return AssemblyRowShape().With(
+        {{"stops",
+          RowShape::ListOf(RowShape::Record(
+              {{"kind", kText}, {"stage", kText}, {"moved_mm", kNumber}}))}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {
         RunsOf(rows, kGroup, "runs with a complete assembly",

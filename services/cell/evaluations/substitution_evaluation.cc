@@ -98,6 +98,11 @@ class SubstitutionEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    return RowShape::Counts({"placed", "recognised", "sensed", "actions",
+                             "alerts", "steps_before", "steps_after"});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     const char* const group = "substitution";
     return {ShareOf(rows, group, "placements recognised by the part's role",

@@ -75,6 +75,12 @@ class SufficientEvaluation final : public Evaluation {
             {"uncovered", judged.uncovered.size()}};
   }
 
+  RowShape row_shape() const override {
+    using enum RowShape::Kind;
+    return RowShape::Record(
+        {{"said", kFlag}, {"reached", kFlag}, {"experiences", kWhole}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     std::vector<json> yes;
     std::vector<json> no;

@@ -42,6 +42,10 @@ class VariantsEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    return AssemblyRowShape().With({{"variant", RowShape::kText}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {RunsOf(rows, kVariants, "runs with a complete assembly",
                    [](const json& row) {

@@ -74,6 +74,14 @@ class WatchEvaluation final : public Evaluation {
     return row;
   }
 
+  RowShape row_shape() const override {
+    return RowShape::Counts({"steps", "steps_recognised", "take_backs",
+                             "take_backs_named", "take_backs_warned", "moves",
+                             "moves_named", "mistakes", "mistakes_caught",
+                             "invented", "false_alarms"})
+        .With({{"goal_reached", RowShape::kFlag}});
+  }
+
   std::vector<Measure> Measures(const std::vector<json>& rows) const override {
     return {
         ShareOf(rows, "valid", "steps recognised with the right arguments",

@@ -67,7 +67,8 @@ TEST(ShippedTasks, HaveAWayToTheirGoals) {
     EvalRexdOptions options;
     options.task_file = ShippedDeployment().task_dir / "learning" /
                         (std::string(name) + ".rules");
-    const rexd::RexdTask task = LoadRexdTask(options);
+    RowIdentity identity;
+    const rexd::RexdTask task = LoadRexdTask(options, &identity);
     rexd::PlanningTeacher teacher(task, 1, {}, 0);
     EXPECT_EQ(teacher.DistanceFrom(task.initial), distance) << name;
   }
@@ -84,9 +85,10 @@ TEST(ShippedBlocks, HaveAWayToTheirGoals) {
     options.blocks.push_back(ShippedDeployment().task_dir / "learning" /
                              (std::string(name) + ".rules"));
   }
-  const rexd::RexdTask task = LoadRexdTask(options);
+  RowIdentity identity;
+  const rexd::RexdTask task = LoadRexdTask(options, &identity);
   rexd::PlanningTeacher teacher(task, 1, {}, 0);
-  for (const rexd::RexdTask& block : LoadBlocks(options)) {
+  for (const rexd::RexdTask& block : LoadBlocks(options, &identity)) {
     EXPECT_NE(block.initial, task.initial);
     rexd::PlanningTeacher of_block(block, 1, {}, 0);
     EXPECT_GE(of_block.DistanceFrom(block.initial).value_or(0),
@@ -98,8 +100,9 @@ TEST(ShippedBlocks, OneThatIsNotThereIsNamed) {
   EvalRexdOptions options;
   options.deploy_dir = ShippedDeployment().task_dir.parent_path().parent_path();
   options.blocks = {"lying_pegs"};
+  RowIdentity identity;
   try {
-    LoadBlocks(options);
+    LoadBlocks(options, &identity);
     ADD_FAILURE();
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("'lying_pegs' nor"));

@@ -35,3 +35,4 @@ cell_add_test(unit/cell/alarm_score_test.cc LINK cell_cli cell_vtb cell_sec cell
 cell_add_test(unit/cell/taught_episodes_test.cc LINK cell_cli cell_vtb cell_geometry cell_sec cell_tracker)
 cell_add_test(unit/cell/decision_explainer_test.cc LINK cell_cli cell_planner cell_parts)
 cell_add_test(unit/cell/run_folder_test.cc LINK cell_cli cell_tracker)
+cell_add_test(unit/cell/row_store_test.cc LINK cell_cli cell_rexd cell_sec cell_tracker)
