@@ -49,7 +49,7 @@ TEST_F(RunFolderTest, FromNothingOnlyTheArmsOwnSkillsAreKnown) {
   EXPECT_TRUE(Learns("planner"));
   EXPECT_FALSE(AsksForConfirmation());
   const YAML::Node domain =
-      YAML::LoadFile(run_.deployment.OfTask("domain.yaml"));
+      YAML::LoadFile(run_.deployment.OfTask("domain.yaml").file());
   for (const auto& action : domain["actions"]) {
     EXPECT_TRUE(action.second["rules"]) << action.first;
   }
