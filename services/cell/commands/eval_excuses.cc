@@ -81,6 +81,7 @@ void ShowFailures(const std::vector<json>& rows) {
 }
 
 int EvalExcuses(const EvalExcusesOptions& options) {
+  RequireDistinct({options.csv_file, options.rows_file});
   if (!options.csv_file.empty()) RequireFree(options.csv_file, kAnotherCsv);
   const auto domain = LoadDomain(options);
   std::vector<std::string> keys;
