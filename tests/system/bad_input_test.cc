@@ -70,6 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
                     NumberOption{"view x", "--at", false},
                     NumberOption{"view x", "--azimuth", false, true},
                     NumberOption{"view x", "--elevation", false},
+                    NumberOption{"explain x", "--at", false},
+                    NumberOption{"sec similar", "--threshold", false},
+                    NumberOption{"eval layers", "--noise-mm", false},
+                    NumberOption{"eval stream", "--noise-mm", false},
+                    NumberOption{"eval mistakes x", "--seed"},
+                    NumberOption{"eval growth", "--seed"},
+                    NumberOption{"rules record --out x", "--seed"},
                     NumberOption{"vtb", "--seed"},
                     NumberOption{"vtb", "--giveup", false}));
 
