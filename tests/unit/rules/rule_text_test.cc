@@ -109,6 +109,12 @@ TEST(RuleText, SaysThatAnActionIsNoPredicate) {
               HasSubstr("'fall'; did you mean 'full'?"));
 }
 
+TEST(RuleText, MayBeginWithAByteOrderMark) {
+  const NdrRules rules =
+      ParseRules(std::string("\xef\xbb\xbf") + kDeclarations + kEachRule, "r");
+  EXPECT_EQ(rules.rules.size(), 1u);
+}
+
 TEST(RuleText, ChangesEachObjectByTheStateBefore) {
   const NdrRules rules = ParseRules(
       "put 1 action\nfull 1 primitive\n"
