@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/system/run_cell.h"
@@ -89,6 +90,25 @@ TEST_F(RunCell, TheLargestSeedIsTakenAndTheNextIsNot) {
   EXPECT_THAT(
       Cell("sim --seed 18446744073709551615 --demonstration none").output,
       Not(HasSubstr("--seed")));
+}
+
+TEST_F(RunCell, FilesWithoutARuleOrAnExperienceAreRefusedByName) {
+  std::ofstream(dir_ / "empty.ndr") << "Clear 1 primitive binary\n";
+  fs::create_directories(dir_ / "shown");
+  std::ofstream(dir_ / "shown/empty.experiences") << "# a heading\n";
+  for (const auto& [command, said] :
+       {std::pair("rules show empty.ndr", "empty.ndr: holds no rule"),
+        {"rules export empty.ndr --out a.pddl", "empty.ndr: holds no rule"},
+        {"rules judge --experiences shown",
+         "shown/empty.experiences: holds no experience"},
+        {"learn rules --experiences shown --out a.ndr",
+         "shown/empty.experiences: holds no experience"}}) {
+    const ShellResult run = Cell(command);
+    EXPECT_EQ(run.code, 1) << command;
+    EXPECT_THAT(run.output, HasSubstr(said));
+  }
+  EXPECT_FALSE(fs::exists(dir_ / "a.pddl"));
+  EXPECT_FALSE(fs::exists(dir_ / "a.ndr"));
 }
 
 TEST_F(RunCell, AnAddressIsDecimalAndOfMulticast) {

@@ -60,6 +60,10 @@ class ExperienceWriter {
   }
 
   void Write(const std::string& out) const {
+    if (counts_.empty()) {
+      throw std::runtime_error("nothing was experienced; " + out +
+                               " is not written");
+    }
     WriteNewFile(out, text_, kAnotherOut);
     for (const auto& [action, counts] : counts_) {
       std::cout << fmt::format("{}: {}, {} without a change\n", action,
