@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <set>
 
+#include "common/text/byte_order_mark.h"
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
 #include "common/text/printable.h"
@@ -85,6 +87,11 @@ const std::vector<std::pair<std::string, MistakeKind>> kRemarks = {
     {"previous one is mistake", MistakeKind::kPreviousIsMistake},
     {"previous is a mistake", MistakeKind::kPreviousIsMistake}};
 
+bool IsVerb(std::string_view text) {
+  const auto word = FindWord(text, kVerbs);
+  return word && word->is_exact;
+}
+
 class Reader {
  public:
   explicit Reader(const std::string& file) {
@@ -97,11 +104,18 @@ class Reader {
       Add(Problem::Kind::kNoToy,
           "the file name names no toy; right is ..._ACTOR-TOY_....csv");
     }
-    for (const std::string_view line : Split(text, '\n')) {
+    for (const std::string_view line :
+         Split(WithoutByteOrderMark(text), '\n')) {
       ++line_;
       if (line.empty()) continue;
       const auto columns = Split(line, ',');
-      if (!IsHeading(columns)) ReadRow(columns);
+      if (IsHeading(columns)) continue;
+      const auto [same, is_new] = lines_.emplace(columns, line_);
+      if (!is_new) {
+        Add(Problem::Kind::kRepeatedRow,
+            fmt::format("the same as line {}; both are read", same->second));
+      }
+      ReadRow(columns);
     }
     line_ = 1;
     if (result_.sequence.actions.empty()) {
@@ -138,6 +152,13 @@ class Reader {
           "no column of labels; the row is not scored");
     }
     columns.resize(std::max(columns.size(), kNumColumns + 1));
+    if (IsVerb(columns[3]) || IsVerb(columns[4])) {
+      Skip(Problem::Kind::kVerbAsPart,
+           fmt::format("'{}' is a verb, no part: right are first frame, last "
+                       "frame, verb, part, part, label, remark",
+                       columns[IsVerb(columns[3]) ? 3 : 4]));
+      return;
+    }
     const PartPair pair = MakePair(columns[3], columns[4]);
     if (pair.first.empty()) {
       Skip(Problem::Kind::kMissingName, "a part has no name");
@@ -233,6 +254,7 @@ class Reader {
 
   AnnotationFile result_;
   std::set<PartPair> attached_;
+  std::map<Columns, int> lines_;  // of the rows so far
   int line_ = 0;
 };
 
@@ -259,6 +281,8 @@ const char* NameOf(AnnotationProblem::Kind kind) {
                                     "file names without a toy",
                                     "rows without all columns",
                                     "rows without a part's name",
+                                    "rows with a verb as a part",
+                                    "rows that repeat another",
                                     "wrong frames",
                                     "wrong verbs",
                                     "wrong labels",

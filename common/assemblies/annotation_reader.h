@@ -15,6 +15,8 @@ struct AnnotationProblem {
     kNoToy,
     kMissingColumns,
     kMissingName,
+    kVerbAsPart,
+    kRepeatedRow,
     kBadFrames,
     kUnknownVerb,
     kUnknownLabel,
@@ -27,7 +29,7 @@ struct AnnotationProblem {
   int line = 0;
   std::string text;
 };
-inline constexpr int kNumProblemKinds = 10;
+inline constexpr int kNumProblemKinds = 12;
 /// Of many problems of a kind: "rows without all columns".
 const char* NameOf(AnnotationProblem::Kind kind);
 /// "file:line: text"
@@ -48,11 +50,11 @@ std::string ToyOf(std::string_view file_name);
 /// last frame, attach or detach, one part, the other part, correct or mistake
 /// or correction, remark. A heading in line 1 is allowed.
 ///
-/// No row stops the reading. A row without parts is skipped. A verb that is
-/// none and is like none is read by the evidence: the two parts are detached if
-/// they are attached, and attached if not. A row without a known label stays,
-/// unjudged. Misspelt words are read as the nearest. Each of these is a problem
-/// with its line.
+/// No row stops the reading. A row without parts is skipped, and one with
+/// a verb where a part should be. A verb that is none and is like none is read
+/// by the evidence: the two parts are detached if they are attached, and
+/// attached if not. A row without a known label stays, unjudged. Misspelt words
+/// are read as the nearest. Each of these is a problem with its line.
 AnnotationFile ReadAnnotations(std::string_view text, const std::string& file);
 
 }  // namespace cell::assemblies

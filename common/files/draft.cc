@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -126,6 +127,34 @@ void WriteNewFile(const fs::path& path, std::string_view text,
 void RequireFree(const fs::path& path, std::string_view advice) {
   std::error_code error;
   if (fs::is_regular_file(path, error)) Refuse(path, advice);
+  if (fs::is_directory(path, error)) Fail(path, EISDIR);
+  if (path.has_parent_path()) MakeFolder(path.parent_path());
+  const Draft can_be_created(path);
+}
+
+void RequireDistinct(std::initializer_list<fs::path> paths) {
+  std::set<fs::path> places;
+  for (const fs::path& path : paths) {
+    if (path.empty()) continue;
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+    if (!places.insert(error ? path : place).second) {
+      throw std::runtime_error(path.string() +
+                               ": would be written twice; each result needs a "
+                               "file of its own");
+    }
+  }
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  // A link to a folder, and "a/", are no errors.
+  std::error_code unknown;
+  if (error && !fs::is_directory(folder, unknown)) {
+    throw std::runtime_error(fmt::format("{}: cannot be made: {}",
+                                         folder.string(), error.message()));
+  }
 }
 
 }  // namespace cell

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string_view>
 
 namespace cell {
@@ -38,12 +39,22 @@ class Draft {
 
 /// Writes a whole file, checked to the close. @throws as Draft does.
 void WriteFile(const std::filesystem::path& path, std::string_view text);
-/// The same, but never replaces a file.
+/// The same, but never replaces a file, and makes the folder that it is in.
 void WriteNewFile(const std::filesystem::path& path, std::string_view text,
                   std::string_view advice);
 
-/// To be called before long work that writes its result there.
-/// @throws std::runtime_error with the advice if a regular file is there.
+/// To be called before long work that writes its result there. Makes the folder
+/// that the file will be in.
+/// @throws std::runtime_error with the advice if a regular file is there, or
+/// naming the file if it cannot be created.
 void RequireFree(const std::filesystem::path& path, std::string_view advice);
+
+/// To be called with all that one command will write; empty ones count not.
+/// @throws std::runtime_error naming a file that is among them twice.
+void RequireDistinct(std::initializer_list<std::filesystem::path> paths);
+
+/// Makes the folder and those above it, unless they are there.
+/// @throws std::runtime_error naming it
+void MakeFolder(const std::filesystem::path& folder);
 
 }  // namespace cell

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "common/text/byte_order_mark.h"
 #include "common/text/printable.h"
 
 namespace cell::ppddl {
@@ -23,7 +24,8 @@ bool IsWordByte(char c) {
 class Reader {
  public:
   Reader(std::string_view text, const std::string& file)
-      : text_(text), file_(std::make_shared<const std::string>(file)) {}
+      : text_(WithoutByteOrderMark(text)),
+        file_(std::make_shared<const std::string>(file)) {}
 
   std::vector<Expression> ReadAll() {
     while (SkipSpace()) ReadNext();

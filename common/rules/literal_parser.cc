@@ -3,17 +3,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
+#include <utility>
 
+#include "common/rules/named_fact.h"
+#include "common/rules/rule_text.h"
 #include "common/text/nearest.h"
 
 namespace cell::rules {
+namespace {
+
+/// The values that a comparison with a function's value allows: from, to.
+std::pair<int, int> Range(const Literal& literal) {
+  constexpr int kMin = std::numeric_limits<int>::min();
+  constexpr int kMax = std::numeric_limits<int>::max();
+  switch (literal.comparison) {
+    case Comparison::kEqual:
+      return {literal.value, literal.value};
+    case Comparison::kAtMost:
+      return {kMin, literal.value};
+    case Comparison::kAtLeast:
+      return {literal.value, kMax};
+    default:
+      return {kMin, kMax};
+  }
+}
+
+/// True if `a` negates what `b` says, whatever the variables stand for.
+bool Negates(const Literal& a, const Literal& b) {
+  if (a.comparison == Comparison::kNotEqual) {
+    return b.comparison == Comparison::kEqual && a.terms == b.terms &&
+           a.value == b.value;
+  }
+  return a.comparison == Comparison::kFalse &&
+         b.comparison == Comparison::kTrue &&
+         std::ranges::equal(
+             a.terms, b.terms, [](const Term& negated, const Term& term) {
+               // `_` of the negated one: no object at all.
+               return negated.kind == Term::Kind::kAny || negated == term;
+             });
+}
+
+/// True if both never hold together.
+bool Contradict(const Literal& a, const Literal& b) {
+  if (a.symbol != b.symbol) return false;
+  if (Negates(a, b) || Negates(b, a)) return true;
+  const auto [a_from, a_to] = Range(a);
+  const auto [b_from, b_to] = Range(b);
+  return a.terms == b.terms && (a_from > b_to || b_from > a_to);
+}
+
+}  // namespace
 
 std::vector<Literal> LiteralParser::ReadList(ListKind kind, const Rule& scope,
                                              TokenReader& in) const {
   std::vector<Literal> literals;
   do {
-    literals.push_back(Read(kind, scope, in));
+    Literal literal = Read(kind, scope, in);
+    for (const Literal& other : literals) {
+      if (!Contradict(literal, other)) continue;
+      in.Fail(fmt::format(
+          "'{}' contradicts '{}' of the same list: they never hold together",
+          ToText(literal, scope, symbols()), ToText(other, scope, symbols())));
+    }
+    literals.push_back(std::move(literal));
   } while (in.TakeIf(","));
   return literals;
 }
@@ -24,13 +78,7 @@ Literal LiteralParser::Read(ListKind kind, const Rule& scope,
   const bool is_negated = in.TakeIf("not");
   if (in.Peek(1) != "(") return ReadSame(kind, is_negated, scope, in);
   const std::string name = in.Word("a predicate");
-  const auto symbol = symbols().Find(name);
-  if (!symbol || symbols()[*symbol].kind == Symbol::Kind::kAction) {
-    in.Fail(fmt::format(
-        "there is no predicate or function '{}'{}", name,
-        NamesInstead(name, NamesIn(symbols().all(), &Symbol::name))));
-  }
-  literal.symbol = *symbol;
+  literal.symbol = FactNamed(name, symbols(), in);
   in.Expect("(");
   while (!in.TakeIf(")")) {
     literal.terms.push_back(ReadTerm(scope, in));

@@ -208,10 +208,19 @@ class RuleParser {
   bool is_after_outcome_ = false;
 };
 
-std::vector<TextLine>::const_iterator FirstRuleIn(
-    const std::vector<TextLine>& lines) {
+using LineIterator = std::vector<TextLine>::const_iterator;
+
+LineIterator FirstRuleIn(const std::vector<TextLine>& lines) {
   return std::ranges::find_if(
       lines, [](const TextLine& l) { return l.text.starts_with("Action:"); });
+}
+
+/// What the first lines of a file declare.
+SymbolTable SymbolsIn(LineIterator begin, LineIterator end,
+                      const std::string& file) {
+  std::string declarations;
+  for (auto it = begin; it != end; ++it) declarations += it->text + "\n";
+  return SymbolTable::Parse(declarations, file);
 }
 
 }  // namespace
@@ -219,12 +228,8 @@ std::vector<TextLine>::const_iterator FirstRuleIn(
 NdrRules ParseRules(const std::string& text, const std::string& file) {
   const std::vector<TextLine> lines = SplitLines(text, file);
   const auto first_rule = FirstRuleIn(lines);
-  std::string declarations;
-  for (auto it = lines.begin(); it != first_rule; ++it) {
-    declarations += it->text + "\n";
-  }
   RuleParser parser(std::make_shared<const SymbolTable>(
-      SymbolTable::Parse(declarations, file)));
+      SymbolsIn(lines.begin(), first_rule, file)));
   for (auto it = first_rule; it != lines.end(); ++it) parser.Read(*it);
   return parser.Finish();
 }
@@ -233,8 +238,10 @@ std::vector<PlacedRule> ParseRulesOf(std::shared_ptr<const SymbolTable> symbols,
                                      const std::string& text,
                                      const std::string& file) {
   const std::vector<TextLine> lines = SplitLines(text, file);
+  const auto first_rule = FirstRuleIn(lines);
+  SymbolsIn(lines.begin(), first_rule, file);  // what is none is an error
   RuleParser parser(std::move(symbols));
-  for (auto it = FirstRuleIn(lines); it != lines.end(); ++it) parser.Read(*it);
+  for (auto it = first_rule; it != lines.end(); ++it) parser.Read(*it);
   const NdrRules rules = parser.Finish();
   std::vector<PlacedRule> placed;
   for (size_t i = 0; i < rules.rules.size(); ++i) {

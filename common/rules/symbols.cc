@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/rules/named_fact.h"
 #include "common/rules/tokens.h"
 #include "common/text/nearest.h"
 
@@ -171,14 +172,7 @@ class SymbolParser {
   }
 
   int SymbolOf(TokenReader& in) {
-    const std::string name = in.Word("a symbol");
-    const auto symbol = table_->Find(name);
-    if (!symbol || (*table_)[*symbol].kind == Symbol::Kind::kAction) {
-      in.Fail(fmt::format(
-          "there is no predicate or function '{}' before{}", name,
-          NamesInstead(name, NamesIn(table_->all(), &Symbol::name))));
-    }
-    return *symbol;
+    return FactNamed(in.Word("a symbol"), *table_, in, " before");
   }
 
   SymbolTable* table_;

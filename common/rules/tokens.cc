@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "common/rules/rule_error.h"
+#include "common/text/byte_order_mark.h"
 #include "common/text/printable.h"
 
 namespace cell::rules {
@@ -40,7 +41,7 @@ void Place::Fail(const std::string& message) const {
 std::vector<TextLine> SplitLines(const std::string& text,
                                  const std::string& file, int first) {
   std::vector<TextLine> lines;
-  std::istringstream stream(text);
+  std::istringstream stream{std::string(WithoutByteOrderMark(text))};
   std::string line;
   for (int number = first; std::getline(stream, line); ++number) {
     line = line.substr(0, line.find('#'));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/text/byte_order_mark.h"
 #include "common/text/printable.h"
 
 namespace cell {
@@ -39,7 +40,7 @@ class TableReader {
       : threshold_(threshold), source_(std::move(source)) {}
 
   EventChain Read(std::string_view table) {
-    for (std::string_view text : Split(table, '\n')) {
+    for (std::string_view text : Split(WithoutByteOrderMark(table), '\n')) {
       ++line_;
       if (text.ends_with('\r')) text.remove_suffix(1);
       if (text.empty()) continue;

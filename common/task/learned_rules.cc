@@ -51,7 +51,13 @@ void PutLearnedRules(const std::string& text, const std::string& file,
   const RuleWorld world(
       std::make_shared<const Vocabulary>(domain->vocabulary()),
       domain->actions());
-  for (auto& [place, rules] : RulesByAction(text, file, world)) {
+  auto by_action = RulesByAction(text, file, world);
+  if (by_action.empty()) {
+    throw ConfigError(file +
+                      ": holds no rule; cell learn rules --out makes such a "
+                      "file");
+  }
+  for (auto& [place, rules] : by_action) {
     Action action = domain->actions()[static_cast<size_t>(place)];
     action.rules = std::move(rules);
     domain->Put(action);
@@ -63,15 +69,17 @@ void PutLearnedRules(const std::string& text, const std::string& file,
 void ReadLearnedRules(const Deployment& deployment, const Config& domain_config,
                       Domain* domain) {
   const auto name = domain_config.Get<std::string>(kLearnedRulesKey);
-  std::ifstream file(deployment.task_dir / name);
-  if (!file) {
+  const std::filesystem::path path = deployment.task_dir / name;
+  if (!std::filesystem::is_regular_file(path)) {
     domain_config[kLearnedRulesKey].Fail(
         "there is no file '" + name +
         "' in the task's folder; cell learn rules --out makes one");
   }
+  std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
-  PutLearnedRules(text.str(), name, domain);
+  if (!file) throw ConfigError(path.string() + ": cannot be read");
+  PutLearnedRules(text.str(), path.string(), domain);
 }
 
 }  // namespace cell

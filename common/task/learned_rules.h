@@ -18,7 +18,8 @@ inline constexpr char kLearnedRulesKey[] = "learned_rules";
 /// when the task had other types and objects: names count.
 /// @param file  the text's, for errors
 /// @throws ConfigError "file:line: ..." for a rule that cannot be read, that
-/// the domain has no words for, or whose action has rules already
+/// the domain has no words for, or whose action has rules already; naming the
+/// file if it holds no rule
 void PutLearnedRules(const std::string& text, const std::string& file,
                      Domain* domain);
 

@@ -39,9 +39,11 @@ std::vector<TaskExperience> ReadShippedExperiences(const Deployment& deployment,
        ExperienceFilesIn(deployment.task_dir / kExperiencesFolder)) {
     std::stringstream text;
     text << std::ifstream(path).rdbuf();
-    const std::string name =
-        std::string(kExperiencesFolder) + "/" + path.filename().string();
-    for (const auto& e : ReadExperiences(text.str(), name, world)) {
+    const auto read = ReadExperiences(text.str(), path.string(), world);
+    if (read.empty()) {
+      throw ConfigError(path.string() + ": holds no experience");
+    }
+    for (const auto& e : read) {
       const GroundAction action = world.FromWorld(e.act);
       experiences.push_back(
           {domain.actions()[static_cast<size_t>(action.action)].name,

@@ -22,8 +22,8 @@ std::vector<std::filesystem::path> ExperienceFilesIn(
 /// None if its domain.yaml names no learned rules. A person counts as who made
 /// them, since the text does not say.
 /// @param domain  of the task
-/// @throws ConfigError "file:line: ..." for what cannot be read, and for
-/// objects that the task does not have
+/// @throws ConfigError "file:line: ..." for what cannot be read, for
+/// objects that the task does not have, and for a file without an experience
 std::vector<TaskExperience> ReadShippedExperiences(const Deployment& deployment,
                                                    const Domain& domain);
 

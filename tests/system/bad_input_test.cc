@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/system/run_cell.h"
@@ -70,6 +71,13 @@ INSTANTIATE_TEST_SUITE_P(
                     NumberOption{"view x", "--at", false},
                     NumberOption{"view x", "--azimuth", false, true},
                     NumberOption{"view x", "--elevation", false},
+                    NumberOption{"explain x", "--at", false},
+                    NumberOption{"sec similar", "--threshold", false},
+                    NumberOption{"eval layers", "--noise-mm", false},
+                    NumberOption{"eval stream", "--noise-mm", false},
+                    NumberOption{"eval mistakes x", "--seed"},
+                    NumberOption{"eval growth", "--seed"},
+                    NumberOption{"rules record --out x", "--seed"},
                     NumberOption{"vtb", "--seed"},
                     NumberOption{"vtb", "--giveup", false}));
 
@@ -82,6 +90,25 @@ TEST_F(RunCell, TheLargestSeedIsTakenAndTheNextIsNot) {
   EXPECT_THAT(
       Cell("sim --seed 18446744073709551615 --demonstration none").output,
       Not(HasSubstr("--seed")));
+}
+
+TEST_F(RunCell, FilesWithoutARuleOrAnExperienceAreRefusedByName) {
+  std::ofstream(dir_ / "empty.ndr") << "Clear 1 primitive binary\n";
+  fs::create_directories(dir_ / "shown");
+  std::ofstream(dir_ / "shown/empty.experiences") << "# a heading\n";
+  for (const auto& [command, said] :
+       {std::pair("rules show empty.ndr", "empty.ndr: holds no rule"),
+        {"rules export empty.ndr --out a.pddl", "empty.ndr: holds no rule"},
+        {"rules judge --experiences shown",
+         "shown/empty.experiences: holds no experience"},
+        {"learn rules --experiences shown --out a.ndr",
+         "shown/empty.experiences: holds no experience"}}) {
+    const ShellResult run = Cell(command);
+    EXPECT_EQ(run.code, 1) << command;
+    EXPECT_THAT(run.output, HasSubstr(said));
+  }
+  EXPECT_FALSE(fs::exists(dir_ / "a.pddl"));
+  EXPECT_FALSE(fs::exists(dir_ / "a.ndr"));
 }
 
 TEST_F(RunCell, AnAddressIsDecimalAndOfMulticast) {

@@ -83,6 +83,12 @@ TEST_F(MistakesCommand, WithoutUsableInputSaySo) {
   const ShellResult monitor = Cell("monitor --annotations toys/s_1-t1_.csv");
   EXPECT_EQ(monitor.code, 0) << monitor.output;
   EXPECT_THAT(monitor.output, HasSubstr("nothing is known of this toy"));
+  for (const char* text : {"", "\x01\x02\xff\n\x7f", "1,2,seat,attach,a,,\n"}) {
+    Write("t1", 1, text);
+    const ShellResult none = Cell("monitor --annotations toys/s_1-t1_.csv");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_THAT(none.output, HasSubstr("s_1-t1_.csv: holds no action"));
+  }
 }
 
 }  // namespace

@@ -169,5 +169,21 @@ TEST_F(ResumedCommand, RulesOfARowThatAreNoRulesAreNamed) {
               HasSubstr("they are of 'cell rules learn'"));
 }
 
+TEST_F(ResumedCommand, AResultOfAPlanReplacesNoFile) {
+  Write("domain.pddl", kRover);
+  Write("problem.pddl", LadderProblem(5));
+  const std::string plan = "plan --ppddl domain.pddl problem.pddl ";
+  for (const std::string option : {"--json ", "--picture ", "--save "}) {
+    const ShellResult run = Cell(plan + option + "problem.pddl");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.output, HasSubstr("problem.pddl: exists")) << option;
+  }
+  EXPECT_EQ(Read("problem.pddl"), LadderProblem(5));
+  EXPECT_THAT(Cell(plan + "--json x --picture ./x").output,
+              HasSubstr("./x: would be written twice"));
+  EXPECT_EQ(Cell(plan + "--json new/x --picture new/y").code, 0);
+  EXPECT_THAT(Read("new/x"), HasSubstr("\"plan\""));
+}
+
 }  // namespace
 }  // namespace cell

@@ -182,6 +182,7 @@ void WriteJson(const EvalOptions& options, const json& report) {
 
 int RunEval(const EvalOptions& options) {
   const CellFiles files = FilesFor(options);
+  RequireDistinct({options.json_file, options.rows_file});
   RequireFreeJson(options);
   const int runs =
       options.runs > 0 ? options.runs : options.evaluation->default_runs();

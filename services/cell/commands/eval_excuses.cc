@@ -87,6 +87,7 @@ void ShowFailures(const std::vector<json>& rows) {
 }
 
 int EvalExcuses(const EvalExcusesOptions& options) {
+  RequireDistinct({options.csv_file, options.rows_file});
   if (!options.csv_file.empty()) RequireFree(options.csv_file, kAnotherCsv);
   RowIdentity identity{"eval excuses", {}, {}};
   const auto domain = LoadDomain(options, &identity);

@@ -113,6 +113,7 @@ void AddEvalGrowth(CLI::App& eval, Action* action) {
       ->check(NumberIn<double>(0.001, 1e6))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "seed of the experiences")
+      ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command->add_option("--csv", options->csv_file,
                       "write the table here, and FILE.png that plots it");

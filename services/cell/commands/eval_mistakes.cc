@@ -220,6 +220,7 @@ void AddEvalMistakes(CLI::App& eval, Action* action) {
   command->add_flag("!--no-nested", options->evaluation.is_nested,
                     "take the default settings instead of choosing them");
   command->add_option("--seed", options->evaluation.seed, "of splits and folds")
+      ->check(NumberIn<uint64_t>())
       ->capture_default_str();
   command
       ->add_option("--problems", options->num_shown,

@@ -88,6 +88,7 @@ int EvalEpisodes(const EvalRexdOptions& options) {
 int EvalRexd(const EvalRexdOptions& options,
              const LearningCurveOptions& curve) {
   if (!curve.domain_file.empty()) return EvalCurve(options, curve);
+  RequireDistinct({options.csv_file, options.rows_file});
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherTable);
     RequireFree(PictureOf(options.csv_file), kAnotherTable);

@@ -125,6 +125,7 @@ std::string RowsFile(const LearningCurveOptions& options) {
 }  // namespace
 
 int EvalLearningCurve(const LearningCurveOptions& options) {
+  RequireDistinct({options.csv_file, options.rows_file});
   if (!options.csv_file.empty()) {
     RequireFree(options.csv_file, kAnotherCurve);
     RequireFree(PictureOf(options.csv_file), kAnotherCurve);

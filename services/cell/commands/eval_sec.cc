@@ -44,7 +44,6 @@ fs::path FreeFile(const EvalSecOptions& options, const std::string& name) {
 }
 
 void WriteResult(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
   WriteNewFile(path, text, kAnotherOut);
   std::cout << "written: " << path.string() << '\n';
 }

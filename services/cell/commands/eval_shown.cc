@@ -188,7 +188,7 @@ CLI::App* AddShown(CLI::App& eval, const std::string& name,
   command
       ->add_option("--noise-mm", options->noise_mm,
                    "standard deviation of each coordinate of a pose")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(NumberIn(0.0, 100.0))
       ->capture_default_str();
   command
       ->add_option("--seed", options->seed,

@@ -7,12 +7,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/live_log.h"
 #include "common/bus/live_replay.h"
 #include "common/bus/replay.h"
 #include "common/bus/run_log.h"
+#include "common/node/number_option.h"
 #include "common/text/printable.h"
 #include "services/cell/commands/commands.h"
 #include "services/cell/explaining/action_explainer.h"
@@ -69,6 +71,33 @@ void Recognise(const RunFolder& run, ActionExplainer* actions) {
   }
 }
 
+/// The first and the last tick of the log.
+std::pair<int32_t, int32_t> TicksOf(const RunFolder& run) {
+  if (!LiveLog::IsLive(RequireLogsOf(run.path))) {
+    const RunLog log = RunLog::Load(run.path);
+    return {log.ticks().begin()->first, log.ticks().rbegin()->first};
+  }
+  const LiveLog log = LiveLog::Load(run.path);
+  const std::vector<const Message*> messages = log.InOrder();
+  if (messages.empty()) return {0, 0};
+  return {messages.front()->tick, messages.back()->tick};
+}
+
+/// @throws std::runtime_error if the log says nothing of the moment [us].
+void RequireWithin(const RunFolder& run, int64_t utime) {
+  const auto [first, last] = TicksOf(run);
+  const int64_t begin = first * kTickUs;
+  const int64_t end = last * kTickUs;
+  // As times are printed, they may be half a hundredth of a second off.
+  constexpr int64_t kRounding = 5'000;
+  if (utime >= begin - kRounding && utime <= end + kRounding) return;
+  throw std::runtime_error(fmt::format(
+      "{}: --at {:.2f} s is outside the log, which goes from {:.2f} to {:.2f} "
+      "s",
+      run.path.string(), 1e-6 * static_cast<double>(utime),
+      1e-6 * static_cast<double>(begin), 1e-6 * static_cast<double>(end)));
+}
+
 void Print(const Explanation& explanation) {
   std::cout << fmt::format("at {:.2f} s {}\n",
                            static_cast<double>(explanation.utime) * 1e-6,
@@ -80,6 +109,8 @@ void Print(const Explanation& explanation) {
 
 int RunExplain(const ExplainOptions& options) {
   RunFolder run = RunFolder::Open(options.run);
+  const auto at = static_cast<int64_t>(options.at * 1e6);
+  RequireWithin(run, at);
   // As a live run was recorded; for others it makes no difference.
   run.deployment.has_operator = LiveLog::IsLive(RequireLogsOf(run.path));
   ActionExplainer actions(recognizer::Recognizer::Params::Load(run.deployment));
@@ -101,8 +132,7 @@ int RunExplain(const ExplainOptions& options) {
   }
   bool has_any = false;
   for (const Explainer* explainer : explainers) {
-    const auto nearest =
-        NearestTo(static_cast<int64_t>(options.at * 1e6), explainer->Utimes());
+    const auto nearest = NearestTo(at, explainer->Utimes());
     if (!nearest) continue;
     for (const Explanation& why : explainer->At(*nearest)) Print(why);
     has_any = true;
@@ -129,7 +159,7 @@ void AddExplain(CLI::App& app, Action* action) {
       "Example: cell explain runs/demo-0001 --at 41.5");
   command->add_option("run", options->run, "run folder")->required();
   command->add_option("--at", options->at, "s since the start of the run")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(NumberIn(0.0, 1e9))
       ->required();
   command
       ->add_option("--about", options->about,

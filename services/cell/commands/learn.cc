@@ -46,7 +46,7 @@ void Simulate(const LearnOptions& options, const Deployment& deployment,
     throw std::runtime_error(
         "demonstrators.yaml:teaching: names no script to learn from");
   }
-  fs::create_directories(folder);
+  MakeFolder(folder);
   uint64_t seed = options.seed;
   for (const std::string& script : demonstrations.teaching) {
     const fs::path file =

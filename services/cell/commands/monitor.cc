@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "common/assemblies/sequence_judge.h"
 #include "common/files/draft.h"
@@ -104,6 +105,13 @@ int Monitor(MonitorOptions options) {
     RequireFree(options.rules_file, kOtherRules);
   }
   const AnnotationFile judged = LoadAnnotations(options.annotations);
+  if (judged.sequence.actions.empty()) {
+    PrintProblems({judged}, kNumProblemsShown);
+    throw std::runtime_error(
+        options.annotations +
+        ": holds no action; right are rows of first frame, last frame, attach "
+        "or detach, part, part, label, remark");
+  }
   if (options.folder.empty()) {
     options.folder = fs::absolute(options.annotations).parent_path().string();
   }

@@ -29,6 +29,7 @@ namespace {
 
 using planning::Plan;
 
+constexpr char kAnotherFile[] = "choose another file or remove it";
 constexpr int kMaxRollouts = 10'000'000;
 /// Without --fewest: a second or two.
 constexpr int64_t kMinimizeExpansions = 50'000;
@@ -130,15 +131,25 @@ PlanReport MakePlan(const PlanOptions& options) {
   return report;
 }
 
+/// Checks, before long work, that its results can be written.
+void RequireFreeResults(const PlanOptions& options, const std::string& json) {
+  if (!json.empty()) RequireFree(json, kAnotherFile);
+  if (!options.picture_file.empty()) {
+    RequireFree(options.picture_file, kAnotherFile);
+  }
+  RequireDistinct({json, options.picture_file, options.search_file});
+}
+
 int RunPlan(const PlanOptions& options) {
+  const std::string json_file =
+      options.json_file == "-" ? "" : options.json_file;
+  RequireFreeResults(options, json_file);
   const PlanReport report = MakePlan(options);
   const std::string json = ToJson(report).dump(2) + "\n";
   std::cout << (options.json_file == "-" ? json : ToText(report));
-  if (!options.json_file.empty() && options.json_file != "-") {
-    WriteFile(options.json_file, json);
-  }
+  if (!json_file.empty()) WriteNewFile(json_file, json, kAnotherFile);
   if (!options.picture_file.empty()) {
-    WriteFile(options.picture_file, DrawPlan(report));
+    WriteNewFile(options.picture_file, DrawPlan(report), kAnotherFile);
   }
   const bool is_found = report.plan.status == Plan::Status::kFound ||
                         report.plan.status == Plan::Status::kGoalReached;

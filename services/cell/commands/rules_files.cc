@@ -60,7 +60,13 @@ std::vector<rules::Experience> TaskExperiences(const fs::path& folder,
 }
 
 rules::NdrRules LoadRules(const fs::path& path) {
-  return rules::ParseRules(TextOfFile(path), path.string());
+  rules::NdrRules rules = rules::ParseRules(TextOfFile(path), path.string());
+  if (rules.rules.empty()) {
+    throw std::runtime_error(path.string() +
+                             ": holds no rule, which begins with 'Action: "
+                             "NAME(X)'");
+  }
+  return rules;
 }
 
 const Goal& NamedGoal(const Domain& domain, const std::string& name) {

@@ -119,6 +119,7 @@ Learned LearnInRows(const RulesLearnOptions& options,
 }
 
 int LearnRules(const RulesLearnOptions& options) {
+  RequireDistinct({options.out, options.rows_file});
   if (!options.out.empty()) RequireFree(options.out, kAnotherOut);
   const rules::ExperienceSet set =
       LoadExperiences(options.data, options.symbols);

@@ -27,6 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kMaxCount = 1'000;
+
 struct RecordOptions {
   std::vector<std::string> runs;
   std::vector<std::string> scripts;
@@ -58,6 +60,10 @@ class ExperienceWriter {
   }
 
   void Write(const std::string& out) const {
+    if (counts_.empty()) {
+      throw std::runtime_error("nothing was experienced; " + out +
+                               " is not written");
+    }
     WriteNewFile(out, text_, kAnotherOut);
     for (const auto& [action, counts] : counts_) {
       std::cout << fmt::format("{}: {}, {} without a change\n", action,
@@ -147,11 +153,12 @@ void AddRulesRecord(CLI::App& rules, Action* action) {
   command
       ->add_option("--seed", options->seed,
                    "of the first simulated run; the next has the next")
+      ->check(NumberIn<uint64_t>(0, UINT64_MAX - kMaxCount))
       ->capture_default_str();
   command
       ->add_option("--count", options->count,
                    "number of simulated runs of each demonstration")
-      ->check(NumberIn(1, 1'000))
+      ->check(NumberIn(1, kMaxCount))
       ->capture_default_str();
   command->add_option("--deploy", options->deploy_dir,
                       "folder with config/ and tasks/, to simulate, or of the "

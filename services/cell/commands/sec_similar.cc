@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/node/cell_files.h"
+#include "common/node/number_option.h"
 #include "common/sec/chain_similarities.h"
 #include "common/sec/library_members.h"
 #include "common/sec/role_similarity.h"
@@ -123,7 +124,7 @@ void AddSecSimilar(CLI::App& sec, Action* action) {
   command
       ->add_option("--threshold", options->threshold,
                    "the least similarity of what is alike")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(NumberIn(0.0, 1.0))
       ->capture_default_str();
   command->callback([=] {
     *action = [=] {

@@ -23,7 +23,7 @@ bool Holds(const std::filesystem::path& path, std::string_view text) {
 }
 
 int WriteTypes(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  MakeFolder(folder);
   for (const auto& [name, text] : kTypeTexts) {
     if (!Holds(folder / name, text)) {
       WriteNewFile(folder / name, text,

@@ -22,7 +22,7 @@ constexpr int kRecordedDecimals = 5;  // [m] a hundredth of a millimetre
 
 std::vector<fs::path> MakeDemonstrations(const DemonstrationSet& set,
                                          const CellFiles& files) {
-  fs::create_directories(set.folder);
+  MakeFolder(set.folder);
   const auto script_of = [&](uint64_t seed) {
     return set.scripts[seed % set.scripts.size()];
   };

@@ -6,6 +6,7 @@
 
 #include "common/experiences/experience_text.h"
 #include "common/task/shipped_experiences.h"
+#include "common/text/byte_order_mark.h"
 
 namespace cell::cli {
 namespace {
@@ -29,7 +30,9 @@ void AddEpisodes(const fs::path& file, const RuleWorld& world,
   std::string name = file.filename().string();
   std::string text;
   std::string above;
+  const size_t num_before = episodes->size();
   for (std::string line; std::getline(stream, line); above += "\n") {
+    if (above.empty()) line = WithoutByteOrderMark(line);
     if (!line.starts_with("# ")) {
       text += line + "\n";
       continue;
@@ -39,6 +42,11 @@ void AddEpisodes(const fs::path& file, const RuleWorld& world,
     text = above + "\n";
   }
   AddEpisode(name, text, file, world, episodes);
+  if (episodes->size() == num_before) {
+    throw std::runtime_error(
+        file.string() +
+        ": holds no experience: a state, an action, and the state after it");
+  }
 }
 
 }  // namespace

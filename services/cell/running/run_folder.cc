@@ -64,7 +64,7 @@ void KeepFrames(const fs::path& frames, const Deployment& deployment) {
 // Several processes may want a folder at once: the first to create an entry in
 // it owns it.
 void Claim(const fs::path& run) {
-  fs::create_directories(run);
+  MakeFolder(run);
   if (!fs::is_empty(run) || !fs::create_directory(run / "deploy")) {
     throw std::runtime_error(run.string() +
                              ": exists and is not empty; choose another --out");
@@ -91,7 +91,7 @@ void ForgetActions(YAML::Node domain) {
 }  // namespace
 
 fs::path ClaimRunFolder(const fs::path& runs, const std::string& kind) {
-  fs::create_directories(runs);
+  MakeFolder(runs);
   for (int number = 1;; ++number) {
     fs::path path = runs / fmt::format("{}-{:04}", kind, number);
     if (fs::create_directory(path)) return path;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include "common/config/config.h"
 #include "common/files/draft.h"
 #include "common/recordings/recording_file.h"
 #include "common/task/task.h"
@@ -19,12 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr char kExtension[] = ".yaml";
 
+/// @throws ConfigError also for what yaml-cpp would silently drop, such as a
+/// key that is there twice.
 YAML::Node Load(const fs::path& file) {
-  try {
-    return YAML::LoadFile(file.string());
-  } catch (const YAML::Exception& e) {
-    throw ConfigError(file.string() + ": " + e.what());
-  }
+  Config::Load(file.string());
+  return YAML::LoadFile(file.string());
 }
 
 /// The same content without aliases: what one key refers to can be changed
@@ -43,23 +44,40 @@ YAML::Node WithoutAliases(const YAML::Node& node) {
   return copy;
 }
 
-/// @param where  of `change`, for errors
-void Merge(const YAML::Node& change, const std::string& where,
-           YAML::Node node) {
-  for (const auto& entry : change) {
-    const auto key = entry.first.as<std::string>();
-    if (entry.second.IsNull()) {
-      if (!node.remove(key)) {
-        throw ConfigError(where + ":" + key +
-                          ": would be removed, but is not there");
+/// A variant's file, for errors.
+class Variant {
+ public:
+  explicit Variant(fs::path file) : file_(std::move(file)) {}
+
+  const fs::path& file() const { return file_; }
+
+  /// @param where  the keys to `key`
+  [[noreturn]] void Fail(const std::string& where, const YAML::Node& key,
+                         const std::string& message) const {
+    throw ConfigError(ConfigMessage(file_.string(), where + key.Scalar(),
+                                    key.Mark().line + 1, message));
+  }
+
+  /// @param where  the keys to `change`, each followed by a colon
+  void Merge(const YAML::Node& change, const std::string& where,
+             YAML::Node node) const {
+    for (const auto& entry : change) {
+      const std::string& key = entry.first.Scalar();
+      if (entry.second.IsNull()) {
+        if (!node.remove(key)) {
+          Fail(where, entry.first, "would be removed, but is not there");
+        }
+      } else if (entry.second.IsMap() && node[key] && node[key].IsMap()) {
+        Merge(entry.second, where + key + ":", node[key]);
+      } else {
+        node[key] = entry.second;
       }
-    } else if (entry.second.IsMap() && node[key] && node[key].IsMap()) {
-      Merge(entry.second, where + ":" + key, node[key]);
-    } else {
-      node[key] = entry.second;
     }
   }
-}
+
+ private:
+  fs::path file_;
+};
 
 /// @throws ConfigError: what is wrong in a file of the changed task is, as long
 /// as the task itself is sound, wrong under the same key of the variant.
@@ -89,28 +107,33 @@ std::vector<std::string> VariantsOf(const fs::path& task_dir) {
   return names;
 }
 
-void ApplyVariant(const fs::path& task_dir, const std::string& name) {
+void ApplyVariant(const fs::path& task_dir, const std::string& name,
+                  const fs::path& varied_dir) {
   const auto known = VariantsOf(task_dir);
   if (!std::ranges::binary_search(known, name)) {
-    throw std::runtime_error(
-        fmt::format("{}: the task has no variant '{}'; known: {}",
-                    task_dir.string(), name, fmt::join(known, ", ")));
+    throw std::runtime_error(fmt::format(
+        "{}: the task has no variant '{}'{}{}", task_dir.string(), name,
+        known.empty() ? "" : "; known: ", fmt::join(known, ", ")));
   }
-  const fs::path variant = task_dir / kVariantsFolder / (name + kExtension);
-  const YAML::Node changes = Load(variant);
+  const Variant variant(task_dir / kVariantsFolder / (name + kExtension));
+  const YAML::Node changes = Load(variant.file());
   if (!changes.IsMap()) {
-    throw ConfigError(variant.string() + ": should be a map from files");
+    throw ConfigError(variant.file().string() + ": should be a map from files");
   }
   for (const auto& entry : changes) {
-    const auto file = entry.first.as<std::string>();
-    const std::string where = variant.string() + ":" + file;
+    const std::string& file = entry.first.Scalar();
     if (!fs::is_regular_file(task_dir / file)) {
-      throw ConfigError(where + ": the task has no such file");
+      variant.Fail("", entry.first, "the task has no such file");
     }
-    if (!entry.second.IsMap()) throw ConfigError(where + ": should be a map");
+    if (fs::path(file).extension() != kExtension) {
+      variant.Fail("", entry.first, "only YAML files can be varied");
+    }
+    if (!entry.second.IsMap()) {
+      variant.Fail("", entry.first, "should be a map");
+    }
     const YAML::Node content = WithoutAliases(Load(task_dir / file));
-    Merge(entry.second, where, content);
-    WriteFile(task_dir / file, YAML::Dump(content) + "\n");
+    variant.Merge(entry.second, file + ":", content);
+    WriteFile(varied_dir / file, YAML::Dump(content) + "\n");
   }
 }
 
@@ -125,7 +148,7 @@ VariedTask::VariedTask(const Deployment& source, const std::string& variant)
     fs::copy(entry.path(), deployment_.task_dir / name,
              fs::copy_options::recursive);
   }
-  ApplyVariant(deployment_.task_dir, variant);
+  ApplyVariant(source.task_dir, variant, deployment_.task_dir);
   CheckVaried(deployment_,
               source.task_dir / kVariantsFolder / (variant + kExtension));
 }

@@ -21,11 +21,12 @@ inline constexpr char kVariantsFolder[] = "variants";
 /// The names of a task's variants, sorted.
 std::vector<std::string> VariantsOf(const std::filesystem::path& task_dir);
 
-/// Changes the files of a task's folder. @throws ConfigError naming the file
-/// and key; std::runtime_error naming the variants if there is none of the
-/// name.
+/// Writes the files of a task's folder that a variant of it changes, into its
+/// copy `varied_dir`. @throws ConfigError naming the file, key and line;
+/// std::runtime_error naming the variants if there is none of the name.
 void ApplyVariant(const std::filesystem::path& task_dir,
-                  const std::string& name);
+                  const std::string& name,
+                  const std::filesystem::path& varied_dir);
 
 /// A copy of a task's folder, changed by a variant, as long as this object
 /// exists.

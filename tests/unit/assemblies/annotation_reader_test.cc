@@ -109,6 +109,37 @@ TEST(AnnotationReader, NamesEveryOddRowAndKeepsTheRest) {
   EXPECT_TRUE(actions[7].pair.is_of_one_name());
 }
 
+TEST(AnnotationReader, TakesNoVerbForAPart) {
+  const AnnotationFile file = Read(
+      "1,2,seat,attach,frame,correct,\n"
+      "2,3,seat,frame,detach,correct,\n"
+      "3,4,attach,seat,frame,correct,\n");
+  EXPECT_THAT(file.sequence.actions, SizeIs(1));
+  EXPECT_EQ(file.num_skipped, 2);
+  ASSERT_THAT(file.problems, SizeIs(2));
+  EXPECT_EQ(file.problems[0].kind, ProblemKind::kVerbAsPart);
+  EXPECT_THAT(Show(file.problems[1]),
+              testing::HasSubstr(":2: 'detach' is a verb, no part"));
+}
+
+TEST(AnnotationReader, NamesARowThatRepeatsAnother) {
+  const AnnotationFile file = Read(
+      "1,2,attach,seat,frame,correct,\n"
+      "2,3,attach,roof,frame,correct,\n"
+      "1,2,attach,seat,frame,correct,\n");
+  EXPECT_THAT(file.sequence.actions, SizeIs(3));
+  ASSERT_THAT(file.problems, SizeIs(1));
+  EXPECT_THAT(Show(file.problems[0]),
+              testing::HasSubstr(":3: the same as line 1; both are read"));
+}
+
+TEST(AnnotationReader, SkipsAByteOrderMark) {
+  const AnnotationFile file = Read(
+      "\xef\xbb\xbf"
+      "1,2,attach,a,b,correct,\n");
+  EXPECT_THAT(file.problems, IsEmpty());
+}
+
 TEST(AnnotationReader, SaysThatAFileIsEmptyOrNamesNoToy) {
   const AnnotationFile file = ReadAnnotations("\n\n", "notes-x.csv");
   ASSERT_THAT(file.problems, SizeIs(2));

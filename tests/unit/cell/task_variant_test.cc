@@ -19,6 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
+using testing::StrEq;
 
 class TaskVariant : public testing::Test {
  protected:
@@ -29,7 +31,7 @@ class TaskVariant : public testing::Test {
   }
   std::string Complaint(const std::string& name) const {
     try {
-      ApplyVariant(task_.get().task_dir, name);
+      ApplyVariant(task_.get().task_dir, name, task_.get().task_dir);
     } catch (const std::exception& e) {
       return e.what();
     }
@@ -64,7 +66,7 @@ TEST_F(TaskVariant, ChangesNothingElseThatAnAliasGaveTheSameValue) {
          "b: *shared\n"
          "c: {list: *list}\n";
   Write("a", "numbers.yaml: {a: {x: 7, list: [3]}}\n");
-  ApplyVariant(task_.get().task_dir, "a");
+  ApplyVariant(task_.get().task_dir, "a", task_.get().task_dir);
   const YAML::Node varied =
       YAML::LoadFile((task_.get().task_dir / "numbers.yaml").string());
   const auto list = [](const YAML::Node& node) {
@@ -89,6 +91,39 @@ TEST_F(TaskVariant, WhatMakesNoSenseIsNamed) {
               HasSubstr("b.yaml:recipe.yaml: the task has no such file"));
   EXPECT_THAT(Complaint("c"), HasSubstr("c.yaml:domain.yaml: should be a map"));
   EXPECT_THAT(Complaint("d"), HasSubstr("no variant 'd'; known: a, b, c"));
+}
+
+TEST_F(TaskVariant, WhatIsWrongIsNamedInTheTasksOwnFolder) {
+  const std::string folder = task_.get().task_dir.string();
+  const std::string file = folder + "/variants/a.yaml:";
+  const auto complaint = [&](const std::string& text) -> std::string {
+    Write("a", text);
+    try {
+      const VariedTask varied(task_.get(), "a");
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint("\nnone.yaml: {}\n"),
+              StrEq(file + "none.yaml: the task has no such file (line 2)"));
+  EXPECT_THAT(
+      complaint("rules.ndr: {}\n"),
+      StrEq(file + "rules.ndr: only YAML files can be varied (line 1)"));
+  EXPECT_THAT(complaint("domain.yaml: {}\ndomain.yaml: {}\n"),
+              StrEq(file + "domain.yaml: the key already exists (line 2)"));
+  EXPECT_THAT(complaint("domain.yaml: {goals: {}, goals: {}}\n"),
+              HasSubstr(file + "domain.yaml.goals: the key already exists"));
+  EXPECT_THAT(complaint("domain.yaml: {\n"), StartsWith(file));
+  EXPECT_THAT(complaint("domain.yaml:\n  goals: {none: ~}\n"),
+              HasSubstr(file + "domain.yaml:goals:none: would be removed, but "
+                               "is not there (line 2)"));
+  try {
+    const VariedTask varied(task_.get(), "nope");
+    ADD_FAILURE();
+  } catch (const std::exception& e) {
+    EXPECT_THAT(e.what(), StartsWith(folder + ": the task has no variant"));
+  }
 }
 
 TEST_F(TaskVariant, ANameThatTheTaskDoesNotKnowIsFoundUnderItsKey) {

@@ -33,6 +33,10 @@ std::string ProblemError(const std::string& text) {
   return "";
 }
 
+TEST(PpddlParser, SkipsAByteOrderMark) {
+  EXPECT_EQ(DomainError(std::string("\xef\xbb\xbf") + kCourier), "");
+}
+
 TEST(PpddlExpression, WordsAreLowerCaseAndCommentsAreSkipped) {
   const auto read = ReadExpressions("; (no)\n(A b ; c\n (D))", "f");
   ASSERT_EQ(read.size(), 1u);

@@ -78,6 +78,43 @@ TEST(RuleText, RefusesWrongChangesOfEachObject) {
   EXPECT_THAT(with("0.75: on(X, Y)\n", ""), HasSubstr("follows an effect"));
 }
 
+TEST(RuleText, RefusesLiteralsThatNeverHoldTogether) {
+  const auto with = [](const std::string& conditions,
+                       const std::string& changes) {
+    return RuleErrorOf("Action: put(X, Y)\nPreconditions: " + conditions +
+                       "\nEffects:\n  1: " + changes + "\n  0: noise\n");
+  };
+  EXPECT_THAT(with("full(X)", "full(Y), on(X, Y), not full(Y)"),
+              HasSubstr("r:10: 'not full(Y)' contradicts 'full(Y)'"));
+  EXPECT_THAT(with("full(X)", "size(X) = 1, size(X) = 2"),
+              HasSubstr("'size(X) = 2' contradicts 'size(X) = 1'"));
+  for (const char* conditions :
+       {"not full(X), full(X)", "on(X, Y), not on(X, _)",
+        "size(X) <= 2, size(X) >= 3", "size(X) != 2, size(X) = 2",
+        "X = Y, X != Y"}) {
+    EXPECT_THAT(with(conditions, "full(X)"), HasSubstr("r:8: ")) << conditions;
+  }
+  EXPECT_EQ(with("full(X), not full(Y), on(X, _), not on(X, Y), size(X) >= 2, "
+                 "size(X) != 3, size(X) <= 4, size(Y) = 3",
+                 "full(Y), not full(X), size(X) = 1, size(Y) = 2"),
+            "no error");
+}
+
+TEST(RuleText, SaysThatAnActionIsNoPredicate) {
+  EXPECT_THAT(RuleErrorOf("Action: put(X, Y)\nPreconditions: put(X, Y)\n"),
+              HasSubstr("r:8: 'put' is an action; expected a predicate"));
+  EXPECT_THAT(RuleErrorOf("held 1 conjunction <-- put(X Y)\n"),
+              HasSubstr("'put' is an action"));
+  EXPECT_THAT(RuleErrorOf("Action: put(X, Y)\nPreconditions: fall(X)\n"),
+              HasSubstr("'fall'; did you mean 'full'?"));
+}
+
+TEST(RuleText, MayBeginWithAByteOrderMark) {
+  const NdrRules rules =
+      ParseRules(std::string("\xef\xbb\xbf") + kDeclarations + kEachRule, "r");
+  EXPECT_EQ(rules.rules.size(), 1u);
+}
+
 TEST(RuleText, ChangesEachObjectByTheStateBefore) {
   const NdrRules rules = ParseRules(
       "put 1 action\nfull 1 primitive\n"

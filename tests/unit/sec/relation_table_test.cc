@@ -33,6 +33,13 @@ TEST(RelationTable, TakesTheThresholdThatIsGiven) {
   EXPECT_THROW(ChainFromTable(kTable, 0.1, ""), std::invalid_argument);
 }
 
+TEST(RelationTable, MayBeginWithAByteOrderMark) {
+  constexpr char kTable[] =
+      "\xef\xbb\xbf"
+      "frame,a_b\n0,0\n1,1\n";
+  EXPECT_EQ(ToText(ChainFromTable(kTable, 0.5, "")), "a, b  0 1\n");
+}
+
 TEST(RelationTable, SplitsNamesAtASlashIfThereIsOne) {
   const auto chain = ChainFromTable("frame,bolt_1/hand\n0,0\n1,1\n", 0.5, "");
   EXPECT_THAT(chain.pairs(), ElementsAre(ObjectPair{"bolt_1", "hand"}));

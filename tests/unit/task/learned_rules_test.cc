@@ -39,6 +39,7 @@ class LearnedRulesOfTask : public testing::Test {
   }
 
   const ChangedDeployment task_{ShippedDeployment()};
+  const std::string path_ = (task_.get().task_dir / kFile).string();
   const std::string separator_ =
       "Action: PlaceSeparator(X)\n"
       "Preconditions: Clear(X)\n"
@@ -102,15 +103,15 @@ TEST_F(LearnedRulesOfTask, WithoutThemAndWithoutChainsNothingIsUndone) {
 
 TEST_F(LearnedRulesOfTask, ErrorsNameTheLine) {
   Learn("\n" + separator_ + separator_ + "Action: Fly(X)\n");
-  EXPECT_THAT(Complaint(),
-              StartsWith("rules.ndr:12: there is no action 'Fly'"));
+  EXPECT_THAT(Complaint(), StartsWith(path_ + ":12: there is no action 'Fly'"));
   Learn(separator_ + "\nAction: RemoveSeparator(X)\nPreconditions: none\n" +
         "Effects:\n  1: Clear(Y)\n  0: noise\n");
-  EXPECT_THAT(Complaint(), HasSubstr("rules.ndr:10: there is no variable 'Y'"));
+  EXPECT_THAT(Complaint(), StartsWith(path_ + ":10: there is no variable 'Y'"));
   Learn(separator_ + "\nAction: RemoveSeparator(X)\nPreconditions: none\n" +
         "Effects:\n  1: Horizontal(X)\n  0: noise\n");
-  EXPECT_THAT(Complaint(), StartsWith("rules.ndr:7: a rule of RemoveSeparator: "
-                                      "'Horizontal(X)' changes what is not"));
+  EXPECT_THAT(Complaint(),
+              StartsWith(path_ + ":7: a rule of RemoveSeparator: "
+                                 "'Horizontal(X)' changes what is not"));
 }
 
 TEST_F(LearnedRulesOfTask, RefuseAnActionThatHasRulesByHand) {
@@ -118,7 +119,28 @@ TEST_F(LearnedRulesOfTask, RefuseAnActionThatHasRulesByHand) {
       "Action: PutDown(X, Y)\nPreconditions: Clear(X)\nEffects:\n"
       "  1: not Clear(X)\n  0: noise\n");
   EXPECT_THAT(Complaint(),
-              StartsWith("rules.ndr:1: 'PutDown' has rules in domain.yaml"));
+              StartsWith(path_ + ":1: 'PutDown' has rules in domain.yaml"));
+}
+
+TEST_F(LearnedRulesOfTask, AFileWithoutARuleIsAnError) {
+  for (const char* text : {"", "\n# nothing\n", "Clear 1 primitive binary\n"}) {
+    Learn(text);
+    EXPECT_THAT(Complaint(), StartsWith(path_ + ": holds no rule"));
+  }
+}
+
+TEST_F(LearnedRulesOfTask, WhatStandsBeforeTheRulesHasToBeSymbols) {
+  Learn("Clear 1 primitive binary\n\x01\xff\x80 noise\n");
+  EXPECT_THAT(Complaint(), StartsWith(path_ + ":2: expected the name of a"));
+  Learn("Acton: PlaceSeparator(X)\n" + separator_);
+  EXPECT_THAT(Complaint(), StartsWith(path_ + ":1: expected"));
+}
+
+TEST_F(LearnedRulesOfTask, AFolderIsNoFile) {
+  std::filesystem::remove(path_);
+  std::filesystem::create_directory(path_);
+  EXPECT_THAT(Complaint(), HasSubstr("domain.yaml:learned_rules: there is no "
+                                     "file 'rules.ndr'"));
 }
 
 TEST_F(LearnedRulesOfTask, AFileThatIsNotThereIsNamed) {
