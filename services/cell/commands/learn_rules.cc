@@ -13,9 +13,7 @@
 #include "common/files/draft.h"
 #include "common/node/cell_files.h"
 #include "common/rules/rule_text.h"
-#include "common/task/shipped_experiences.h"
 #include "common/text/counted.h"
-#include "common/text/printable.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/commands/rules_learn.h"
@@ -42,9 +40,7 @@ struct Lessons {
 
 Lessons LessonsOfLibrary(const std::string& library, const Domain& domain) {
   LibraryExperiences all = ReadLibraryExperiences(LibraryFile(library), domain);
-  for (const std::string& reason : all.left_out) {
-    std::cout << "left out: " << Printable(reason) << "\n";
-  }
+  PrintLeftOut(all);
   return {std::move(all.world), std::move(all.experiences)};
 }
 
@@ -61,9 +57,7 @@ int LearnRulesOfTask(const LearnRulesOptions& options) {
   const Domain domain = LoadTask(deployment, LearnedRules::kLeaveOut).domain;
   const Lessons lessons =
       options.library.empty()
-          ? LessonsOfTask(options.experiences.empty()
-                              ? deployment.task_dir / kExperiencesFolder
-                              : fs::path(options.experiences),
+          ? LessonsOfTask(ExperiencesFolder(options.experiences, deployment),
                           domain)
           : LessonsOfLibrary(options.library, domain);
   const rules::NdrRules rules = LearnRules(

@@ -10,6 +10,7 @@
 
 #include "common/rules/data_text.h"
 #include "common/rules/rule_text.h"
+#include "common/task/shipped_experiences.h"
 #include "common/text/nearest.h"
 #include "services/cell/learning/experienced_episodes.h"
 
@@ -48,6 +49,12 @@ rules::ExperienceSet LoadExperiences(const fs::path& data,
                              "an action, and the state after it");
   }
   return set;
+}
+
+fs::path ExperiencesFolder(const std::string& named,
+                           const Deployment& deployment) {
+  return named.empty() ? deployment.task_dir / kExperiencesFolder
+                       : fs::path(named);
 }
 
 std::vector<rules::Experience> TaskExperiences(const fs::path& folder,

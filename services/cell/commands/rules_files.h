@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/config/deployment.h"
 #include "common/experiences/rule_world.h"
 #include "common/relational/domain.h"
 #include "common/rules/experience.h"
@@ -28,6 +29,10 @@ ExperienceFiles FilesOfExperiences(const std::filesystem::path& data,
 /// @throws RuleError, std::runtime_error naming file and line
 rules::ExperienceSet LoadExperiences(const std::filesystem::path& data,
                                      const std::filesystem::path& symbols);
+
+/// The folder that was named, or, if none was, that of the task.
+std::filesystem::path ExperiencesFolder(const std::string& named,
+                                        const Deployment& deployment);
 
 /// The experiences of a task: all files *.experiences of the folder, by name.
 /// @throws RuleError, std::runtime_error naming file and line, or the folder if

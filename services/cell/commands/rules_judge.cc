@@ -12,11 +12,9 @@
 #include <vector>
 
 #include "common/node/cell_files.h"
-#include "common/task/shipped_experiences.h"
 #include "common/task/task.h"
 #include "common/text/counted.h"
 #include "common/text/nearest.h"
-#include "common/text/printable.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/cell/commands/rules_files.h"
 #include "services/cell/learning/experienced_episodes.h"
@@ -45,9 +43,7 @@ struct Shown {
 /// Each demonstration of a library is an episode.
 Shown OfLibrary(const std::string& library, const Domain& domain) {
   LibraryExperiences all = ReadLibraryExperiences(LibraryFile(library), domain);
-  for (const std::string& reason : all.left_out) {
-    std::cout << "left out: " << Printable(reason) << "\n";
-  }
+  PrintLeftOut(all);
   Shown shown{std::move(all.world), {}};
   for (size_t i = 0; i < all.experiences.size(); ++i) {
     const std::string& name = all.demonstrations[i];
@@ -77,10 +73,7 @@ int Judge(const JudgeOptions& options) {
   const Goal& goal = NamedGoal(domain, options.goal);
   const Shown shown =
       options.library.empty()
-          ? OfTask(options.experiences.empty()
-                       ? deployment.task_dir / kExperiencesFolder
-                       : fs::path(options.experiences),
-                   domain)
+          ? OfTask(ExperiencesFolder(options.experiences, deployment), domain)
           : OfLibrary(options.library, domain);
   std::vector<rules::Experience> experiences;
   std::vector<State> starts;

@@ -15,7 +15,6 @@
 #include "common/node/cell_files.h"
 #include "common/node/number_option.h"
 #include "common/text/counted.h"
-#include "common/text/printable.h"
 #include "services/cell/commands/library_commands.h"
 #include "services/cell/learning/library_experiences.h"
 #include "services/cell/learning/run_experiences.h"
@@ -104,9 +103,7 @@ void AddOfLibrary(const RecordOptions& options, ExperienceWriter* writer) {
   const LibraryExperiences all = ReadLibraryExperiences(
       LibraryFile(options.library),
       LoadTask(deployment, LearnedRules::kLeaveOut).domain);
-  for (const std::string& reason : all.left_out) {
-    std::cout << "left out: " << Printable(reason) << "\n";
-  }
+  PrintLeftOut(all);
   writer->Add("library " + fs::path(options.library).filename().string(),
               all.experiences, all.world);
 }

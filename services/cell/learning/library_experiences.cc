@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <iostream>
 #include <memory>
 #include <utility>
 
 #include "common/actions/action_model_reader.h"
 #include "common/experiences/task_experience.h"
 #include "common/result/result.h"
+#include "common/text/printable.h"
 #include "services/library/sqlite_action_store.h"
 
 namespace cell::cli {
@@ -56,6 +58,12 @@ LibraryExperiences ReadLibraryExperiences(const std::filesystem::path& file,
     }
   }
   return all;
+}
+
+void PrintLeftOut(const LibraryExperiences& experiences) {
+  for (const std::string& reason : experiences.left_out) {
+    std::cout << "left out: " << Printable(reason) << "\n";
+  }
 }
 
 }  // namespace cell::cli

@@ -29,4 +29,7 @@ struct LibraryExperiences {
 LibraryExperiences ReadLibraryExperiences(const std::filesystem::path& file,
                                           Domain domain);
 
+/// A line for each experience that is left out.
+void PrintLeftOut(const LibraryExperiences& experiences);
+
 }  // namespace cell::cli
